@@ -1,0 +1,137 @@
+// The articulated body as its author wrote it: named links and joints with their placements,
+// inertias and limits.
+//
+// A front end fills in a Model in file order and validates it; configure() then applies the model
+// options and puts links and joints depth first.  Everything behind reads the configured Model:
+// the reference engine directly, the compiler through the DynamicTree.
+// Units: m, kg, s, rad.
+#pragma once
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "spatial/matrix3.h"
+
+namespace arboc {
+
+/// Placement of a frame B in a frame A, as written: p_AB = xyz, R_AB = Rz(yaw) Ry(pitch) Rx(roll).
+struct Pose {
+  Vector3<double> xyz;  ///< m
+  Vector3<double> rpy;  ///< rad; roll, pitch, yaw about the fixed axes x, y, z of A
+};
+
+/// R_AB of a pose: sines and cosines by exact_sincos, entries within 4 eps of 0 or +-1 cleaned.
+Matrix3<double> rotation(const Pose& pose);
+
+struct Inertial {
+  Pose origin;      ///< of the inertial frame in the link frame; its origin is the centre of mass
+  double mass = 0;  ///< kg
+  Symmetric3<double> inertia;  ///< kg m^2, about the centre of mass, axes of the inertial frame
+};
+
+struct Link {
+  std::string name;
+  std::optional<Inertial> inertial;
+  Location location;
+};
+
+enum class JointType { kFixed, kRevolute, kContinuous, kPrismatic, kFloating, kPlanar };
+
+/// The URDF word for a joint type.
+const char* name(JointType type);
+
+struct Limits {
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
+  double lower = -kNone;    ///< rad or m
+  double upper = kNone;     ///< rad or m
+  double velocity = kNone;  ///< rad/s or m/s
+  double effort = kNone;    ///< N m or N
+};
+
+/// q = multiplier * q_leader + offset.
+struct Mimic {
+  int leader = -1;  ///< index of the leading joint
+  double multiplier = 1;
+  double offset = 0;  ///< rad or m
+};
+
+struct Joint {
+  std::string name;
+  JointType type = JointType::kFixed;
+  int parent = -1;  ///< link index; -1 is the world
+  int child = -1;   ///< link index
+  Pose origin;      ///< of the child link's frame in the parent's, at q = 0
+  /// Unit vector in the child's frame: revolute, continuous and prismatic move about or along it;
+  /// planar moves in the plane normal to it.
+  Vector3<double> axis{1, 0, 0};
+  Limits limits;
+  double damping = 0;   ///< N m s/rad or N s/m
+  double friction = 0;  ///< N m or N
+  std::optional<Mimic> mimic;
+  Location location;
+};
+
+/// Invariants after validation: names of links and of joints are unique; every link but `root` is
+/// the child of exactly one joint; the joints form a tree; mimic graphs have no cycle, and leader
+/// and follower have one coordinate each; numbers are finite; axes of moving joints are units.
+struct Model {
+  std::string name;
+  std::string file;           ///< base name of the file it came from
+  std::string source_sha256;  ///< of the bytes of that file
+  std::vector<Link> links;
+  std::vector<Joint> joints;
+  int root = -1;                         ///< link index
+  Vector3<double> gravity{0, 0, -9.81};  ///< m/s^2, in the root's fixed frame
+};
+
+/// Coordinates of one joint: 0/0 fixed, 1/1 revolute, continuous and prismatic, 3/3 planar
+/// (x, y, theta | vx, vy, wz), 7/6 floating (x y z qx qy qz qw | linear, angular, body frame).
+int nq(JointType type);
+int nv(JointType type);
+
+/// Axes of a planar joint's coordinates in the child frame: columns x, y and z = axis.  The
+/// identity for axis z; for x and y the cyclic permutation (y z x, z x y); for a negative axis the
+/// same with the first two columns' second one reversed; otherwise x is the projection of the
+/// coordinate axis nearest to the plane (the first one if several are).
+Matrix3<double> axis_frame(const Vector3<double>& axis);
+
+enum class Base { kFixed, kFloating };
+enum class MimicPolicy { kFollow, kIndependent };
+enum class JointOrder { kFile, kAlphabetical };
+
+struct ModelOptions {
+  Base base = Base::kFixed;
+  MimicPolicy mimic = MimicPolicy::kFollow;
+  JointOrder order = JointOrder::kFile;
+  std::string name;  ///< replaces the model's name; empty: keep
+  double snap =
+      1e-9;  ///< rad; written angles this close to a multiple of 15 degrees become it; 0: off
+};
+
+/// Applies the options: attaches the root to the world by a floating joint ("root_joint"), frees
+/// mimic followers, snaps written angles and axis components (each reported as a note), and sorts
+/// links and joints depth first (children in file order, or by joint name bytewise).  Afterwards
+/// parents come before children: joints[k].parent is the root or the child of an earlier joint.
+/// Linear in the number of links; no recursion.
+Model configure(Model model, const ModelOptions& options, Diagnostics& diagnostics);
+
+/// Where each joint of a configured model finds its coordinates.
+struct Coordinates {
+  struct Entry {
+    int q = -1;             ///< first index into q; of the leader if the joint is a mimic follower
+    int v = -1;             ///< first index into v, a, tau
+    double multiplier = 1;  ///< q_joint = multiplier * q[q] + offset, chains of followers resolved
+    double offset = 0;
+  };
+  int nq = 0;
+  int nv = 0;
+  std::vector<Entry> joint;  ///< per joint of the model
+};
+Coordinates coordinates(const Model& model);
+
+/// The printed form (`--print=model`): one line a link and a joint.
+std::string print(const Model& model);
+
+}  // namespace arboc

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "base/number.h"
+#include "model/model.h"
+
+namespace arboc {
+namespace {
+
+std::string text(const Vector3<double>& a) {
+  return fmt::format("{} {} {}", shortest(a.x), shortest(a.y), shortest(a.z));
+}
+
+std::string text(const Pose& pose) {
+  return fmt::format("xyz({}) rpy({})", text(pose.xyz), text(pose.rpy));
+}
+
+}  // namespace
+
+std::string print(const Model& model) {
+  std::string out =
+      fmt::format("model {}: {} links, {} joints, gravity({})\n", printable(model.name),
+                  model.links.size(), model.joints.size(), text(model.gravity));
+  for (const Link& link : model.links) {
+    out += fmt::format("link '{}'", printable(link.name));
+    if (link.inertial) {
+      const Inertial& i = *link.inertial;
+      out += fmt::format(": mass({}) {} inertia(xx {} yy {} zz {} xy {} xz {} yz {})",
+                         shortest(i.mass), text(i.origin), shortest(i.inertia.xx),
+                         shortest(i.inertia.yy), shortest(i.inertia.zz), shortest(i.inertia.xy),
+                         shortest(i.inertia.xz), shortest(i.inertia.yz));
+    }
+    out += '\n';
+  }
+  const auto link_name = [&](int k) {
+    return k < 0 ? std::string("world")
+                 : fmt::format("'{}'", printable(model.links[static_cast<size_t>(k)].name));
+  };
+  for (const Joint& joint : model.joints) {
+    out += fmt::format("joint '{}': {} {} -> {} {}", printable(joint.name), name(joint.type),
+                       link_name(joint.parent), link_name(joint.child), text(joint.origin));
+    if (nv(joint.type) > 0 && joint.type != JointType::kFloating)
+      out += fmt::format(" axis({})", text(joint.axis));
+    if (std::isfinite(joint.limits.lower) || std::isfinite(joint.limits.upper))
+      out +=
+          fmt::format(" limits({} {})", shortest(joint.limits.lower), shortest(joint.limits.upper));
+    if (std::isfinite(joint.limits.velocity))
+      out += fmt::format(" velocity({})", shortest(joint.limits.velocity));
+    if (std::isfinite(joint.limits.effort))
+      out += fmt::format(" effort({})", shortest(joint.limits.effort));
+    if (joint.damping != 0) out += fmt::format(" damping({})", shortest(joint.damping));
+    if (joint.friction != 0) out += fmt::format(" friction({})", shortest(joint.friction));
+    if (joint.mimic)
+      out += fmt::format(" mimic('{}' * {} + {})",
+                         printable(model.joints[static_cast<size_t>(joint.mimic->leader)].name),
+                         shortest(joint.mimic->multiplier), shortest(joint.mimic->offset));
+    out += '\n';
+  }
+  return out;
+}
+
+}  // namespace arboc

@@ -1,0 +1,76 @@
+// The dynamic tree: moving bodies only, every joint axis on z, constants as sparse as they get.
+//
+// This is what the algorithms run on, with T = double (the generic engine) and T = Expr (the
+// traced one).  C++17 without dependencies, because the benchmark compiles it as well.
+//
+// Frame i is attached to body i, parent(i) < i, body 0 is the world.  A point has coordinates
+// x_parent = E x_i + p with
+//   revolute   E = R Rz(q)            p = c
+//   prismatic  E = R                  p = c + R z q
+//   planar     E = R Rz(q2)           p = c + R (q0, q1, 0)
+//   floating   E = R R(quaternion)    p = c + R (q0, q1, q2)
+// and the constant R = Rz(gamma) Rx(alpha) Rz(theta): each factor costs 4 operations a vector and
+// nothing at all where its angle is a multiple of 90 degrees.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "spatial/matrix3.h"
+
+namespace arboc {
+
+/// A constant planar rotation by its cosine and sine; the angle itself is never needed.
+struct Turn {
+  double c = 1;
+  double s = 0;
+};
+
+enum class Motion { kWorld, kRevolute, kPrismatic, kPlanar, kFloating };
+
+/// Inertial parameters about the origin of a frame and in its axes: mass, first and second moment,
+/// Sigma = integral of r r^T dm.  Rotational inertia = tr(Sigma) 1 - Sigma.
+struct MassMoments {
+  double m = 0;              ///< kg
+  Vector3<double> h;         ///< kg m
+  Symmetric3<double> Sigma;  ///< kg m^2
+};
+
+struct Body {
+  std::string link;   ///< name of the model's link whose joint moves this body
+  std::string joint;  ///< name of that joint
+  int parent = -1;
+  Motion motion = Motion::kWorld;
+  Turn gamma, alpha, theta;  ///< R of the placement above
+  Vector3<double> c;         ///< m, origin in the parent's frame at q = 0
+  int q = -1;                ///< first coordinate in q
+  int v = -1;                ///< first coordinate in v, a, tau
+  double multiplier = 1;  ///< mimic followers: q_joint = multiplier * q[q] + offset, likewise v, a
+  double offset = 0;      ///< m; only prismatic joints keep one, an angle joins theta
+  MassMoments inertia;    ///< of everything welded to this body; regrouped if the tree is
+};
+
+/// A named link of the model and the body that carries it: x_body = R x_link + p.
+struct Frame {
+  std::string name;
+  int body = 0;
+  Matrix3<double> R;
+  Vector3<double> p;
+  bool moving = false;  ///< the child of a non-fixed joint (fk reports these by default)
+};
+
+struct DynamicTree {
+  std::string name;
+  int nq = 0;
+  int nv = 0;
+  Vector3<double> gravity{0, 0, -9.81};  ///< m/s^2, world axes
+  std::vector<Body> body;                ///< body[0] is the world
+  std::vector<Frame> frame;              ///< every link, in the model's order
+  /// coupled[j]: the indices i < j for which M(i, j), or the fill of its factorisation from the
+  /// last row up, can be non-zero, in descending order.  For a tree without mimic joints these are
+  /// the ancestors of j.
+  std::vector<std::vector<int>> coupled;
+
+  int nb() const { return static_cast<int>(body.size()) - 1; }
+};
+
+}  // namespace arboc
