@@ -1,0 +1,199 @@
+// The header of one function: its chunks as noinline parts, and the function that calls them.
+#include <fmt/format.h>
+
+#include <set>
+
+#include "base/number.h"
+#include "emit/emit.h"
+#include "emit/names.h"
+#include "emit/template.h"
+
+namespace arboc {
+namespace {
+
+/// Arrays that a piece of code reads or writes, in the order of the function's parameters.
+struct Arrays {
+  std::set<int> inputs, outputs;
+  bool work = false;
+
+  void read(const Operand& x) {
+    if (x.place == Operand::Place::kInput) inputs.insert(x.port);
+    if (x.place == Operand::Place::kSlot) work = true;
+  }
+  void store(const Store& s) {
+    outputs.insert(s.port);
+    read(s.value);
+  }
+  void chunk(const Chunk& chunk) {
+    for (const Statement& s : chunk.statements) {
+      for (const ProgramTerm& t : s.terms) {
+        read(t.a);
+        if (t.product) read(t.b);
+      }
+      for (const Store& x : s.stores) store(x);
+      work = work || s.slot >= 0;
+    }
+  }
+};
+
+/// `const T* q, T* tau, T* w` or, without types, `q, tau, w`.
+std::string list(const Program& program, const Arrays& arrays, bool types) {
+  std::string out;
+  const auto append = [&](const std::string& type, const std::string& name) {
+    out += (out.empty() ? "" : ", ") + (types ? type : "") + name;
+  };
+  for (const int p : arrays.inputs)
+    append("const T* ARBOC_RESTRICT ", program.inputs[static_cast<size_t>(p)].name);
+  for (const int p : arrays.outputs)
+    append("T* ARBOC_RESTRICT ", program.outputs[static_cast<size_t>(p)].name);
+  if (arrays.work) append("T* ARBOC_RESTRICT ", "w");
+  return out;
+}
+
+std::string statements(const Program& program, const Chunk& chunk, int& block) {
+  std::string out;
+  const auto line = [&](const std::string& text) { out += "  " + text + ";\n"; };
+  for (const Statement& s : chunk.statements) {
+    if (s.block != block)
+      out += fmt::format("  // {}\n",
+                         comment_text(program.blocks[static_cast<size_t>(block = s.block)]));
+    line(fmt::format("const T x{} = {}", s.local, text(program, s)));
+    if (s.slot >= 0) line(fmt::format("w[{}] = x{}", s.slot, s.local));
+    for (const Store& store : s.stores)
+      line(fmt::format("{}[{}] = {}", program.outputs[static_cast<size_t>(store.port)].name,
+                       store.index, text(program, store.value)));
+  }
+  return out;
+}
+
+class Function {
+ public:
+  Function(const TargetModel& model, const TargetFunction& function)
+      : model_(model), function_(function), program_(function.program) {}
+
+  std::string run() {
+    const bool angles = !program_.angles.empty();
+    std::string parts, calls;
+    if (angles) add_part(parts, calls, "angles", angle_arrays(), angle_body());
+    int block = -1;
+    for (size_t c = 0; c < program_.chunks.size(); ++c) {
+      Arrays arrays;
+      arrays.chunk(program_.chunks[c]);
+      const std::string body = statements(program_, program_.chunks[c], block);
+      if (!body.empty()) add_part(parts, calls, fmt::format("part{}", c), arrays, body);
+    }
+    return fill("cpp/NAME_FUNCTION.hpp",
+                {{"banner", banner(model_)},
+                 {"name", model_.name},
+                 {"function", program_.name},
+                 {"parts", parts},
+                 {"documentation", documentation()},
+                 {"result", function_.signature.positive.empty() ? "void" : "int"},
+                 {"parameters", parameters(function_, "T", " ARBOC_RESTRICT")},
+                 {"body", body(calls)}});
+  }
+
+ private:
+  void add_part(std::string& parts, std::string& calls, const std::string& name,
+                const Arrays& arrays, const std::string& body) {
+    used_.inputs.insert(arrays.inputs.begin(), arrays.inputs.end());
+    used_.work = used_.work || arrays.work;
+    parts += fmt::format("template <class T>\nARBOC_NOINLINE void {}({}) noexcept {{\n{}}}\n\n",
+                         name, list(program_, arrays, true), body);
+    calls +=
+        fmt::format("  {}_parts::{}<T>({});\n", program_.name, name, list(program_, arrays, false));
+  }
+
+  Arrays angle_arrays() const {
+    Arrays arrays;
+    arrays.chunk(program_.prologue);
+    for (const Operand& angle : program_.angles) arrays.read(angle);
+    arrays.work = true;
+    return arrays;
+  }
+
+  std::string angle_body() const {
+    int block = -1;
+    std::string out = statements(program_, program_.prologue, block);
+    const size_t n = program_.angles.size();
+    out += fmt::format("  const T angle[{}] = {{", n);
+    for (size_t k = 0; k < n; ++k) out += (k ? ", " : "") + text(program_, program_.angles[k]);
+    return out +
+           fmt::format(
+               "}};\n  for (int k = 0; k < {}; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);\n",
+               n);
+  }
+
+  std::string body(const std::string& calls) {
+    std::string out;
+    const auto& outputs = program_.outputs;
+    const bool checked = !function_.signature.positive.empty();
+    if (program_.slots > 0 && used_.work) out += fmt::format("  T w[{}];\n", program_.slots);
+    if (checked) out += fmt::format("  T {}[{}];\n", outputs.back().name, outputs.back().size);
+    out += calls;
+    for (const Store& store : program_.stores) {
+      used_.store(store);
+      out += fmt::format("  {}[{}] = {};\n", outputs[static_cast<size_t>(store.port)].name,
+                         store.index, text(program_, store.value));
+    }
+    for (size_t p = 0; p < program_.inputs.size(); ++p)
+      if (!used_.inputs.contains(static_cast<int>(p)))
+        out += fmt::format("  static_cast<void>({});\n", program_.inputs[p].name);
+    if (checked) {
+      out += fmt::format("  for (int i = 0; i < {}; ++i) {{\n    if ({}[i] > T(0)) continue;\n",
+                         outputs.back().size, outputs.back().name);
+      out += fmt::format("    arboc::fill_nan({}, {});\n    return 1 + i;\n  }}\n  return 0;\n",
+                         outputs[0].name, outputs[0].size);
+    }
+    return out;
+  }
+
+  std::string documentation() const {
+    const Signature& s = function_.signature;
+    std::string out = fmt::format("/// {}\n", s.meaning);
+    const auto describe = [&](const Argument& a, const char* direction, const std::string& shape) {
+      out += fmt::format("/// {} {}: {}; {}; {}\n", direction, a.name, shape, a.unit, a.meaning);
+    };
+    for (const Argument& a : s.inputs)
+      describe(a, "in ", fmt::format("{} entries", a.rows * a.cols));
+    for (size_t i = 0; i < s.outputs.size(); ++i) {
+      const Argument& a = s.outputs[i];
+      const std::string shape =
+          function_.patterns[i].row.empty()
+              ? fmt::format("{} entries", a.rows * a.cols)
+              : fmt::format("{} structural non-zeros of {} x {} by columns{}", function_.entries(i),
+                            a.rows, a.cols, a.symmetric ? ", upper triangle" : "");
+      describe(a, "out", shape);
+    }
+    if (!s.positive.empty())
+      out += fmt::format(
+          "/// Returns 0, or 1 + the index of the first {} that is not positive; then {} is nan.\n",
+          s.positive, s.outputs[0].name);
+    const OpCount& n = program_.ops;
+    return out + fmt::format("/// {} mul, {} add, {} fma, {} div, {} sqrt, {} sincos.", n.mul,
+                             n.add, n.fma, n.div, n.sqrt, n.sincos);
+  }
+
+  const TargetModel& model_;
+  const TargetFunction& function_;
+  const Program& program_;
+  Arrays used_;
+};
+
+}  // namespace
+
+std::string parameters(const TargetFunction& function, const std::string& scalar,
+                       const std::string& qualifier) {
+  std::string out;
+  for (const Argument& a : function.signature.inputs)
+    out += fmt::format("{}const {}*{} {}", out.empty() ? "" : ", ", scalar, qualifier, a.name);
+  for (const Argument& a : function.signature.outputs)
+    out += fmt::format("{}{}*{} {}", out.empty() ? "" : ", ", scalar, qualifier, a.name);
+  return out;
+}
+
+std::string function_header(const TargetModel& model, const TargetFunction& function) {
+  return Function(model, function).run();
+}
+
+}  // namespace arboc

@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/sha256.h"
+#include "emit/emit.h"
+
+namespace arboc {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json describe(const Argument& a) {
+  ordered_json json;
+  json["name"] = a.name;
+  json["shape"] = a.cols == 1 ? ordered_json{a.rows} : ordered_json{a.rows, a.cols};
+  json["unit"] = a.unit;
+  json["meaning"] = a.meaning;
+  return json;
+}
+
+ordered_json describe(const TargetFunction& f) {
+  ordered_json json;
+  json["name"] = f.signature.name;
+  json["meaning"] = f.signature.meaning;
+  json["inputs"] = ordered_json::array();
+  json["outputs"] = ordered_json::array();
+  for (const Argument& a : f.signature.inputs) json["inputs"].push_back(describe(a));
+  for (size_t i = 0; i < f.signature.outputs.size(); ++i) {
+    ordered_json output = describe(f.signature.outputs[i]);
+    output["symmetric"] = f.signature.outputs[i].symmetric;
+    output["entries"] = f.entries(i);
+    if (!f.patterns[i].row.empty())
+      output["sparsity"] = {{"row", f.patterns[i].row}, {"col", f.patterns[i].col}};
+    json["outputs"].push_back(output);
+  }
+  json["arguments"] = ordered_json::array();
+  for (const auto& list : {json["inputs"], json["outputs"]})
+    for (const auto& argument : list) json["arguments"].push_back(argument["name"]);
+  json["returns"] = f.signature.positive.empty()
+                        ? ordered_json(nullptr)
+                        : ordered_json("0, or 1 + index of the first " + f.signature.positive +
+                                       " that is not positive");
+  const OpCount& n = f.program.ops;
+  json["ops"] = {{"mul", n.mul}, {"add", n.add},   {"fma", n.fma},
+                 {"div", n.div}, {"sqrt", n.sqrt}, {"sincos", n.sincos}};
+  json["functions_of_code"] = f.program.chunks.size();
+  json["work"] = f.program.slots;
+  return json;
+}
+
+ordered_json limit_array(const std::vector<double>& values) {
+  ordered_json json = ordered_json::array();
+  for (const double x : values)
+    json.push_back(std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr));
+  return json;
+}
+
+}  // namespace
+
+std::string manifest(const TargetModel& model, const Files& files) {
+  ordered_json json;
+  json["arboc"] = version();
+  json["name"] = model.name;
+  json["source"] = {{"file", model.source_file}, {"sha256", model.source_sha256}};
+  json["options"] = model.options;
+  json["nq"] = model.nq;
+  json["nv"] = model.nv;
+  if (!model.manifest_extra.empty()) json.update(ordered_json::parse(model.manifest_extra));
+  for (const Table& table : model.limits) json["limits"][table.name] = limit_array(table.values);
+  json["frames"] = model.frame_names;
+  json["conventions"] = {
+      {"units", "SI, radians"},
+      {"floating base",
+       "q: x y z qx qy qz qw (unit quaternion); v, a: linear then angular, in the body frame"},
+      {"planar joint",
+       "q: x y theta; v, a: vx vy wz in the body frame, in the plane normal to the axis"},
+      {"forces", "linear then angular, in the body frame"},
+      {"matrices",
+       "raw functions write structural non-zeros by columns, of symmetric ones the upper "
+       "triangle"}};
+  json["functions"] = ordered_json::array();
+  for (const TargetFunction& f : model.functions) json["functions"].push_back(describe(f));
+  for (const auto& [path, bytes] : files) json["files"][path] = sha256(bytes);
+  return json.dump(1, ' ', true) + "\n";
+}
+
+}  // namespace arboc

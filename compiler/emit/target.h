@@ -1,0 +1,82 @@
+// What the emitter needs to know of a model and its functions, free of links and joints.
+//
+// `compile` fills this in from the model; emit() turns it into files.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "program/program.h"
+
+namespace arboc {
+
+/// An argument of a generated function.
+struct Argument {
+  std::string name;
+  int rows = 0;
+  int cols = 1;
+  std::string unit;
+  std::string meaning;     ///< one line, with the frame
+  bool symmetric = false;  ///< a matrix of which the upper triangle is written
+};
+
+/// Structural non-zeros of a matrix output in the order in which they are written: by columns.
+struct Pattern {
+  std::vector<int> row;
+  std::vector<int> col;
+};
+
+struct Signature {
+  std::string name;
+  std::string meaning;
+  std::vector<Argument> inputs;
+  std::vector<Argument> outputs;
+  /// Non-empty: the last output of the program, not of the interface, holds values that must be
+  /// positive; the function returns 0 or 1 + the index of the first that is not.
+  std::string positive;
+};
+
+struct TargetFunction {
+  Signature signature;
+  std::vector<Pattern> patterns;  ///< per output; empty for a dense output, written row by row
+  Program program;
+
+  /// Entries that are written for an output.
+  int entries(size_t output) const {
+    const Argument& a = signature.outputs[output];
+    return patterns[output].row.empty() ? a.rows * a.cols
+                                        : static_cast<int>(patterns[output].row.size());
+  }
+};
+
+/// Files of a folder: relative path -> bytes.
+using Files = std::map<std::string, std::string>;
+
+/// Arguments and results of one state, dense, by name ("q", "rnea.tau"), and the configurations
+/// before and after it on its motion ("q-", "q+", a step of `step` s away).
+struct Recording {
+  std::map<std::string, std::vector<double>> values;
+};
+
+struct Table {
+  std::string name;
+  std::vector<double> values;
+};
+
+struct TargetModel {
+  std::string name;         ///< identifier: namespace, file prefix
+  std::string source_file;  ///< base name
+  std::string source_sha256;
+  std::vector<std::string> options;  ///< those that differ from their defaults, sorted
+  int nq = 0, nv = 0;
+  std::vector<std::string> joint_names;     ///< moving joints in the order of their coordinates
+  std::vector<std::string> velocity_names;  ///< one an entry of v
+  std::vector<std::string> frame_names;     ///< of fk
+  std::vector<Table> limits;                ///< q_lower, q_upper (nq), v_limit, tau_limit (nv)
+  std::vector<TargetFunction> functions;
+  std::vector<Recording> recordings;  ///< for the selftest
+  double step = 1e-5;                 ///< s, of the recordings
+  std::string manifest_extra;         ///< JSON text of the members that only the front knows
+};
+
+}  // namespace arboc

@@ -1,0 +1,57 @@
+// Builds a region node by node: hash-consing and the local rewriting rules.
+//
+// Equal expressions become one node, so equality of references is equality of expressions.  The
+// rules look one level deep and never make an expression larger:
+//   constants fold;  x + 0 = x;  x - x = 0;  a x + b x = (a + b) x;  (u + x) - x = u;
+//   a + (b + x) = (a + b) + x;  0 x = 0;  1 x = x;  a (b x) = (a b) x;  x / a = (1/a) x;
+//   sin(-x) = -sin x;  cos(-x) = cos x
+// There is no distribution and no factoring: with fused multiply-adds neither gains (measured).
+#pragma once
+#include <string>
+#include <vector>
+
+#include "graph/graph.h"
+
+namespace arboc {
+
+class Builder {
+ public:
+  explicit Builder(std::string name);
+
+  /// Adds an input port and returns the references of its entries.
+  std::vector<Ref> input(const std::string& name, int size);
+  /// Adds an output port.
+  void output(const std::string& name, const std::vector<Ref>& entries);
+  /// Nodes made from now on belong to a block of this title.
+  void begin_block(const std::string& title);
+
+  Ref constant(double value);
+  Ref add(Ref a, Ref b);
+  Ref mul(Ref a, Ref b);
+  Ref div(Ref a, Ref b);
+  Ref sqrt(Ref a);
+  Ref sin(Ref a);
+  Ref cos(Ref a);
+  /// At least two terms; none of them a constant product.
+  Ref sum(const std::vector<Term>& terms);
+
+  const Region& region() const { return region_; }
+  Graph finish() &&;
+
+ private:
+  Ref intern(const Node& node);
+  void grow();
+  size_t hash(const Node& node) const;
+  bool same(const Node& x, const Node& y) const;
+  /// x = factor * rest, with rest not a constant multiple of anything.
+  double split_factor(Ref& x) const;
+  Ref fold_nested_add(Ref sum, Ref x, bool& found);
+
+  Region region_;
+  std::uint16_t block_ = 0;
+  std::uint32_t next_input_ = 0;
+  std::vector<std::uint32_t> table_;  ///< open addressing; node + 1, 0 is free
+  size_t used_ = 0;
+};
+
+}  // namespace arboc

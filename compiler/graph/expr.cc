@@ -1,0 +1,62 @@
+#include "graph/expr.h"
+
+#include <cmath>
+
+namespace arboc {
+
+Expr::Expr(Builder* builder, Ref ref) {
+  if (builder->region().is_constant(ref)) {
+    value_ = builder->region().value(ref);
+  } else {
+    builder_ = builder;
+    ref_ = ref;
+  }
+}
+
+Expr Expr::operator-() const {
+  Expr result = *this;
+  result.ref_ = -ref_;
+  result.value_ = value_ == 0 ? 0.0 : -value_;
+  return result;
+}
+
+Expr operator+(const Expr& a, const Expr& b) {
+  if (a.is_constant() && b.is_constant()) return a.value_ + b.value_;
+  Builder& builder = *(a.builder_ ? a.builder_ : b.builder_);
+  return {&builder, builder.add(a.ref(builder), b.ref(builder))};
+}
+
+Expr operator*(const Expr& a, const Expr& b) {
+  if (a.is_constant() && b.is_constant()) return a.value_ * b.value_;
+  Builder& builder = *(a.builder_ ? a.builder_ : b.builder_);
+  return {&builder, builder.mul(a.ref(builder), b.ref(builder))};
+}
+
+Expr operator/(const Expr& a, const Expr& b) {
+  if (a.is_constant() && b.is_constant()) return a.value_ / b.value_;
+  Builder& builder = *(a.builder_ ? a.builder_ : b.builder_);
+  return {&builder, builder.div(a.ref(builder), b.ref(builder))};
+}
+
+Expr sqrt(const Expr& x) {
+  if (x.is_constant()) return std::sqrt(x.value());
+  return {x.builder(), x.builder()->sqrt(x.ref(*x.builder()))};
+}
+
+void sincos(const Expr& x, Expr& s, Expr& c) {
+  if (x.is_constant()) {
+    s = std::sin(x.value());
+    c = std::cos(x.value());
+    return;
+  }
+  Builder& builder = *x.builder();
+  const Ref angle = x.ref(builder);
+  s = {&builder, builder.sin(angle)};
+  c = {&builder, builder.cos(angle)};
+}
+
+void enter_block(const Expr* inputs, const std::string& subject, const char* phase) {
+  if (inputs->builder()) inputs->builder()->begin_block(subject + ", " + phase);
+}
+
+}  // namespace arboc

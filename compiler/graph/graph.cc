@@ -1,0 +1,98 @@
+#include "graph/graph.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace arboc {
+namespace {
+
+struct OpInfo {
+  const char* text;
+  int operands;
+};
+constexpr OpInfo kOps[] = {
+#define ARBOC_OP(name, text, operands) {text, operands},
+    ARBOC_OPS(ARBOC_OP)
+#undef ARBOC_OP
+};
+
+void verify(const Region& region) {
+  const auto fail = [&](size_t n, const char* what) {
+    throw std::logic_error(fmt::format("region {}, node {}: {}", region.name, n, what));
+  };
+  for (size_t n = 0; n < region.nodes.size(); ++n) {
+    const Node& node = region.nodes[n];
+    if (node.block >= region.blocks.size()) fail(n, "unknown block");
+    if (node.op == Op::kSum && (node.count < 2 || node.index + node.count > region.terms.size()))
+      fail(n, "bad terms");
+    if (node.op == Op::kConstant) {
+      if (node.index + node.count > region.constants.size()) fail(n, "bad constant");
+      for (std::uint32_t i = 0; i < node.count; ++i)
+        if (!(region.constants[node.index + i] >= 0))
+          fail(n, "constant not finite and non-negative");
+    }
+    for_each_operand(region, node, [&](Ref ref) {
+      if (ref.node() >= n) fail(n, "operand behind its user");
+    });
+  }
+  if (region.results.size() != region.outputs.size())
+    throw std::logic_error(fmt::format("region {}: outputs without results", region.name));
+  for (size_t p = 0; p < region.results.size(); ++p) {
+    if (region.results[p].size() != static_cast<size_t>(region.outputs[p].size))
+      throw std::logic_error(
+          fmt::format("region {}: output {} has the wrong size", region.name, p));
+    for (const Ref ref : region.results[p])
+      if (ref.node() >= region.nodes.size()) throw std::logic_error("result out of range");
+  }
+}
+
+}  // namespace
+
+int operand_count(Op op) { return kOps[static_cast<size_t>(op)].operands; }
+const char* spelling(Op op) { return kOps[static_cast<size_t>(op)].text; }
+
+void verify(const Graph& graph) {
+  if (graph.regions.empty()) throw std::logic_error("graph without a region");
+  for (const Region& region : graph.regions) verify(region);
+}
+
+std::vector<std::vector<double>> evaluate(const Graph& graph,
+                                          const std::vector<std::vector<double>>& inputs) {
+  const Region& region = graph.regions.back();
+  std::vector<double> in;
+  for (const auto& port : inputs) in.insert(in.end(), port.begin(), port.end());
+
+  std::vector<double> value(region.nodes.size());
+  const auto at = [&](Ref ref) { return ref.negative() ? -value[ref.node()] : value[ref.node()]; };
+  for (size_t n = 0; n < region.nodes.size(); ++n) {
+    const Node& node = region.nodes[n];
+    double& v = value[n];
+    switch (node.op) {
+      case Op::kConstant: v = region.constants[node.index]; break;
+      case Op::kInput: v = in[node.index]; break;
+      case Op::kAdd: v = at(node.a) + at(node.b); break;
+      case Op::kMul: v = at(node.a) * at(node.b); break;
+      case Op::kDiv: v = at(node.a) / at(node.b); break;
+      case Op::kSqrt: v = std::sqrt(at(node.a)); break;
+      case Op::kSin: v = std::sin(at(node.a)); break;
+      case Op::kCos: v = std::cos(at(node.a)); break;
+      case Op::kSum:
+        v = 0;
+        for (std::uint32_t t = node.index; t < node.index + node.count; ++t) {
+          const Term& term = region.terms[t];
+          v = term.product ? std::fma(at(term.a), at(term.b), v) : v + at(term.a);
+        }
+        break;
+    }
+  }
+  std::vector<std::vector<double>> results;
+  for (const auto& port : region.results) {
+    results.emplace_back();
+    for (const Ref ref : port) results.back().push_back(at(ref));
+  }
+  return results;
+}
+
+}  // namespace arboc

@@ -1,0 +1,175 @@
+// The printed form of a graph and the reader of it, so that tests are tables of text.
+//
+//   region NAME        in NAME SIZE        out NAME SIZE: OPERAND ...        # block title
+//   x7 = q0 * -x3      x8 = x7 + 2.5       x9 = sin(q1)      x10 = sum(x1, -x3*x4, 2.5*x6)
+// An operand is an input entry (q0), a node (x7) or a number, with a sign.
+#include <fmt/format.h>
+
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "base/number.h"
+#include "graph/builder.h"
+#include "graph/graph.h"
+
+namespace arboc {
+namespace {
+
+class Printer {
+ public:
+  explicit Printer(const Region& region) : region_(region) {
+    for (const Port& port : region.inputs)
+      for (int i = 0; i < port.size; ++i) input_names_.push_back(fmt::format("{}{}", port.name, i));
+  }
+
+  std::string run() {
+    out_ = fmt::format("region {}\n", region_.name);
+    for (const Port& port : region_.inputs) out_ += fmt::format("in {} {}\n", port.name, port.size);
+    size_t block = 0;
+    for (size_t n = 0; n < region_.nodes.size(); ++n) {
+      const Node& node = region_.nodes[n];
+      if (node.op == Op::kConstant || node.op == Op::kInput) continue;
+      if (node.block != block) out_ += fmt::format("# {}\n", region_.blocks[block = node.block]);
+      out_ += fmt::format("x{} = {}\n", n, expression(node));
+    }
+    for (size_t p = 0; p < region_.outputs.size(); ++p) {
+      out_ += fmt::format("out {} {}:", region_.outputs[p].name, region_.outputs[p].size);
+      for (const Ref ref : region_.results[p]) out_ += " " + operand(ref);
+      out_ += '\n';
+    }
+    return out_;
+  }
+
+ private:
+  std::string operand(Ref ref) const {
+    const Node& node = region_[ref];
+    const std::string sign = ref.negative() ? "-" : "";
+    if (node.op == Op::kConstant) return sign + shortest(region_.constants[node.index]);
+    if (node.op == Op::kInput) return sign + input_names_[node.index];
+    return fmt::format("{}x{}", sign, ref.node());
+  }
+
+  std::string expression(const Node& node) const {
+    if (node.op == Op::kSum) {
+      std::string text = "sum(";
+      for (std::uint32_t t = node.index; t < node.index + node.count; ++t) {
+        const Term& term = region_.terms[t];
+        if (t > node.index) text += ", ";
+        text += operand(term.a);
+        if (term.product) text += "*" + operand(term.b);
+      }
+      return text + ")";
+    }
+    if (operand_count(node.op) == 1)
+      return fmt::format("{}({})", spelling(node.op), operand(node.a));
+    return fmt::format("{} {} {}", operand(node.a), spelling(node.op), operand(node.b));
+  }
+
+  const Region& region_;
+  std::vector<std::string> input_names_;
+  std::string out_;
+};
+
+class Parser {
+ public:
+  explicit Parser(const std::string& text) : text_(text) {}
+
+  Graph run() {
+    std::istringstream lines(text_);
+    std::string line;
+    Builder builder("region");
+    for (int number = 1; std::getline(lines, line); ++number) {
+      try {
+        statement(builder, line);
+      } catch (const std::exception& e) {
+        throw std::invalid_argument(fmt::format("line {}: {}: {}", number, line, e.what()));
+      }
+    }
+    return std::move(builder).finish();
+  }
+
+ private:
+  void statement(Builder& builder, const std::string& line) {
+    std::istringstream words(line);
+    std::string first;
+    if (!(words >> first)) return;
+    if (first == "region") {
+      std::string name;
+      words >> name;
+      builder = Builder(name);
+    } else if (first == "#") {
+      builder.begin_block(line.substr(line.find("# ") + 2));
+    } else if (first == "in") {
+      std::string name;
+      int size = 0;
+      words >> name >> size;
+      const auto refs = builder.input(name, size);
+      for (int i = 0; i < size; ++i)
+        names_[fmt::format("{}{}", name, i)] = refs[static_cast<size_t>(i)];
+    } else if (first == "out") {
+      std::string name, size, word;
+      words >> name >> size;
+      std::vector<Ref> entries;
+      while (words >> word) entries.push_back(operand(builder, word));
+      builder.output(name, entries);
+    } else {
+      names_[first] = expression(builder, line.substr(line.find('=') + 1));
+    }
+  }
+
+  Ref operand(Builder& builder, std::string word) {
+    const bool negative = word.starts_with('-');
+    if (negative) word.erase(0, 1);
+    const auto number = parse_finite(word);
+    const auto name = names_.find(word);
+    if (!number && name == names_.end()) throw std::invalid_argument("unknown operand " + word);
+    const Ref ref = number ? builder.constant(*number) : name->second;
+    return negative ? -ref : ref;
+  }
+
+  Ref expression(Builder& builder, const std::string& text) {
+    const size_t open = text.find('(');
+    if (open == std::string::npos) {
+      std::istringstream words(text);
+      std::string a, op, b;
+      words >> a;
+      if (!(words >> op >> b)) return operand(builder, a);
+      const Ref x = operand(builder, a), y = operand(builder, b);
+      return op == "+" ? builder.add(x, y) : op == "*" ? builder.mul(x, y) : builder.div(x, y);
+    }
+    const std::string name =
+        text.substr(text.find_first_not_of(' '), open - text.find_first_not_of(' '));
+    std::istringstream list(text.substr(open + 1, text.rfind(')') - open - 1));
+    if (name == "sum") return sum(builder, list);
+    const Ref x = operand(builder, list.str());
+    return name == "sin" ? builder.sin(x) : name == "cos" ? builder.cos(x) : builder.sqrt(x);
+  }
+
+  Ref sum(Builder& builder, std::istringstream& list) {
+    std::vector<Term> terms;
+    for (std::string item; std::getline(list, item, ',');) {
+      item.erase(0, item.find_first_not_of(' '));
+      const size_t star = item.find('*');
+      Term term{operand(builder, item.substr(0, star)), Ref(), star != std::string::npos};
+      if (term.product) term.b = operand(builder, item.substr(star + 1));
+      terms.push_back(term);
+    }
+    return builder.sum(terms);
+  }
+
+  const std::string& text_;
+  std::map<std::string, Ref> names_;
+};
+
+}  // namespace
+
+std::string print(const Graph& graph) {
+  std::string text;
+  for (const Region& region : graph.regions) text += Printer(region).run();
+  return text;
+}
+
+Graph parse(const std::string& text) { return Parser(text).run(); }
+
+}  // namespace arboc

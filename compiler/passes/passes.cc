@@ -1,0 +1,22 @@
+#include "passes/passes.h"
+
+#include "passes/dead.h"
+#include "passes/fuse.h"
+
+namespace arboc {
+
+const std::array<Pass, 3> kPasses = {{
+    {"remove dead nodes", remove_dead},
+    {"fuse sums of products", fuse},
+    {"remove dead nodes", remove_dead},
+}};
+
+Graph run_passes(Graph graph) {
+  for (const Pass& pass : kPasses) {
+    graph = pass.run(graph);
+    verify(graph);
+  }
+  return graph;
+}
+
+}  // namespace arboc

@@ -1,0 +1,88 @@
+// A Program: the statements of one function in order, cut into chunks, with a place for each value.
+//
+// Straight-line single assignments.  The order is that of the trace, which follows the recursion
+// body by body and is already local.  Every ~250 operations a new chunk begins: a function of its
+// own, so that compilers take linear time and keep their registers; a value that a later chunk
+// reads goes through a slot of the work array w.  Sines and cosines of angles known from the start
+// come first, in one loop: w[2 k] and w[2 k + 1] are those of angle k.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "graph/graph.h"
+
+namespace arboc {
+
+/// Floating-point instructions of one evaluation; a fused multiply-add counts once.
+struct OpCount {
+  int mul = 0, add = 0, fma = 0, div = 0, sqrt = 0, sincos = 0;
+  /// All but the sines and cosines.
+  int total() const { return mul + add + fma + div + sqrt; }
+};
+
+/// Where an operand of a statement is found.
+struct Operand {
+  enum class Place { kConstant, kInput, kLocal, kSlot };
+  Place place = Place::kConstant;
+  bool negative = false;
+  double value = 0;  ///< constant
+  int port = 0;      ///< input
+  int index = 0;     ///< input: entry; local: its number; slot: its number
+};
+
+struct ProgramTerm {
+  Operand a, b;
+  bool product = false;
+};
+
+/// Stores an operand in entry `index` of output `port`.
+struct Store {
+  int port = 0;
+  int index = 0;
+  Operand value;
+};
+
+struct Statement {
+  Op op = Op::kSum;
+  int local = 0;  ///< number of the value it defines
+  int block = 0;  ///< index into Program::blocks
+  std::vector<ProgramTerm>
+      terms;                  ///< sum: the terms; others: one term that holds the operands a, b
+  int slot = -1;              ///< also kept there for later chunks
+  std::vector<Store> stores;  ///< also stored there
+};
+
+struct Chunk {
+  std::vector<Statement> statements;
+};
+
+struct Program {
+  std::string name;
+  std::vector<Port> inputs, outputs;
+  std::vector<std::string> blocks;
+  Chunk prologue;               ///< what the angles need, from inputs only
+  std::vector<Operand> angles;  ///< sine and cosine of each go to w[2 k], w[2 k + 1]
+  std::vector<Chunk> chunks;
+  std::vector<Store> stores;  ///< outputs that are inputs, constants or sines themselves
+  int slots = 0;              ///< size of w
+  OpCount ops;
+};
+
+struct ScheduleOptions {
+  int chunk_ops = 250;  ///< operations a chunk; 200 to 500 differ by less than 5 % in run time
+};
+
+/// Graph (passed through the passes) -> Program.
+Program schedule(const Graph& graph, const ScheduleOptions& options = {});
+
+/// Operations of the statements as listed.
+OpCount count_ops(const Program& program);
+
+/// An operand, a right-hand side in C++ (constants as T(2.5)).
+std::string text(const Program& program, const Operand& operand);
+std::string text(const Program& program, const Statement& statement);
+
+/// The printed form (`--print=program`): the statements as they will stand in the product.
+std::string print(const Program& program);
+
+}  // namespace arboc

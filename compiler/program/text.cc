@@ -1,0 +1,81 @@
+// The statements of a Program as text; the C++ emitter uses the very same lines.
+#include <fmt/format.h>
+
+#include "base/number.h"
+#include "program/program.h"
+
+namespace arboc {
+namespace {
+
+std::string unsigned_text(const Program& program, const Operand& x) {
+  switch (x.place) {
+    case Operand::Place::kConstant: return fmt::format("T({})", literal(x.value));
+    case Operand::Place::kInput:
+      return fmt::format("{}[{}]", program.inputs[static_cast<size_t>(x.port)].name, x.index);
+    case Operand::Place::kLocal: return fmt::format("x{}", x.index);
+    case Operand::Place::kSlot: return fmt::format("w[{}]", x.index);
+  }
+  return {};
+}
+
+std::string product(const Program& program, const ProgramTerm& term) {
+  const std::string a = unsigned_text(program, term.a);
+  return term.product ? a + " * " + text(program, term.b) : a;
+}
+
+}  // namespace
+
+std::string text(const Program& program, const Operand& operand) {
+  return (operand.negative ? "-" : "") + unsigned_text(program, operand);
+}
+
+std::string text(const Program& program, const Statement& s) {
+  const ProgramTerm& first = s.terms.front();
+  switch (s.op) {
+    case Op::kSum: {
+      std::string line;
+      for (const ProgramTerm& term : s.terms) {
+        line += &term == &first ? (term.a.negative ? "-" : "") : term.a.negative ? " - " : " + ";
+        line += product(program, term);
+      }
+      return line;
+    }
+    case Op::kAdd:
+    case Op::kMul:
+    case Op::kDiv:
+      return fmt::format("{} {} {}", text(program, first.a), spelling(s.op),
+                         text(program, first.b));
+    default: return fmt::format("{}({})", spelling(s.op), text(program, first.a));
+  }
+}
+
+std::string print(const Program& program) {
+  std::string out = fmt::format("program {}: {} slots, {} operations, {} sincos\n", program.name,
+                                program.slots, program.ops.total(), program.ops.sincos);
+  int block = 0;
+  const auto print_chunk = [&](const Chunk& chunk) {
+    for (const Statement& s : chunk.statements) {
+      if (s.block != block)
+        out += fmt::format("# {}\n", program.blocks[static_cast<size_t>(block = s.block)]);
+      out += fmt::format("x{} = {}\n", s.local, text(program, s));
+      if (s.slot >= 0) out += fmt::format("w[{}] = x{}\n", s.slot, s.local);
+      for (const Store& store : s.stores)
+        out += fmt::format("{}[{}] = {}\n", program.outputs[static_cast<size_t>(store.port)].name,
+                           store.index, text(program, store.value));
+    }
+  };
+  print_chunk(program.prologue);
+  for (size_t k = 0; k < program.angles.size(); ++k)
+    out += fmt::format("w[{}], w[{}] = sincos({})\n", 2 * k, 2 * k + 1,
+                       text(program, program.angles[k]));
+  for (size_t c = 0; c < program.chunks.size(); ++c) {
+    out += fmt::format("chunk {}\n", c);
+    print_chunk(program.chunks[c]);
+  }
+  for (const Store& store : program.stores)
+    out += fmt::format("{}[{}] = {}\n", program.outputs[static_cast<size_t>(store.port)].name,
+                       store.index, text(program, store.value));
+  return out;
+}
+
+}  // namespace arboc

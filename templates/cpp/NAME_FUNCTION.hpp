@@ -1,0 +1,23 @@
+@banner@
+#pragma once
+
+#include "arboc/scalar.hpp"
+
+namespace @name@ {
+namespace raw {
+namespace @function@_parts {
+
+using arboc::sincos;
+using std::cos;
+using std::sin;
+using std::sqrt;
+
+@parts@}  // namespace @function@_parts
+
+@documentation@
+template <class T>
+@result@ @function@(@parameters@) noexcept {
+@body@}
+
+}  // namespace raw
+}  // namespace @name@
