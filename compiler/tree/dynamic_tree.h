@@ -15,17 +15,22 @@
 #include <string>
 #include <vector>
 
-#include "spatial/matrix3.h"
+#include "spatial/rotation.h"
 
 namespace arboc {
 
-/// A constant planar rotation by its cosine and sine; the angle itself is never needed.
-struct Turn {
-  double c = 1;
-  double s = 0;
-};
+/// A constant planar rotation.
+using Turn = PlanarRotation<double>;
 
 enum class Motion { kWorld, kRevolute, kPrismatic, kPlanar, kFloating };
+
+/// Entries of v that a joint has.
+inline int freedoms(Motion motion) {
+  return motion == Motion::kWorld      ? 0
+         : motion == Motion::kPlanar   ? 3
+         : motion == Motion::kFloating ? 6
+                                       : 1;
+}
 
 /// Inertial parameters about the origin of a frame and in its axes: mass, first and second moment,
 /// Sigma = integral of r r^T dm.  Rotational inertia = tr(Sigma) 1 - Sigma.
@@ -59,6 +64,8 @@ struct Frame {
 };
 
 struct DynamicTree {
+  static constexpr int kLargestMatrix = 4096;
+
   std::string name;
   int nq = 0;
   int nv = 0;
@@ -67,7 +74,8 @@ struct DynamicTree {
   std::vector<Frame> frame;              ///< every link, in the model's order
   /// coupled[j]: the indices i < j for which M(i, j), or the fill of its factorisation from the
   /// last row up, can be non-zero, in descending order.  For a tree without mimic joints these are
-  /// the ancestors of j.
+  /// the ancestors of j.  Empty if nv > kLargestMatrix: such a tree is lowered to be inspected,
+  /// and the pattern of a chain grows with nv^2.
   std::vector<std::vector<int>> coupled;
 
   int nb() const { return static_cast<int>(body.size()) - 1; }

@@ -1,0 +1,44 @@
+// Forward dynamics: q, v, tau -> qdd, as M qdd = tau - nle with the sparse factorisation of M.
+//
+// Named for what it computes, as elsewhere; traced and folded this needs fewer operations than the
+// articulated-body recursion up to some 50 coordinates.
+#pragma once
+#include "algorithms/crba.h"
+#include "algorithms/ltdl.h"
+#include "algorithms/nle.h"
+
+namespace arboc {
+
+template <class T>
+struct AbaWorkspace {
+  RneaWorkspace<T> bias;  ///< its poses serve M as well
+  std::vector<Composite<T>> composite;
+  std::vector<T> M;          ///< nv x nv, row-major, upper triangle
+  std::vector<T> D_inverse;  ///< nv
+  std::vector<int> body;     ///< per coordinate
+
+  explicit AbaWorkspace(const DynamicTree& tree)
+      : bias(tree),
+        composite(tree.body.size()),
+        M(static_cast<size_t>(tree.nv) * tree.nv),
+        D_inverse(tree.nv),
+        body(body_of_coordinate(tree)) {}
+};
+
+/// q (nq), v, tau (nv) -> qdd (nv) and the pivots D of M (nv).  A pivot that is not positive says
+/// that M is not positive definite, and then qdd means nothing.
+template <class T>
+void aba(const DynamicTree& tree, AbaWorkspace<T>& work, const T* q, const T* v, const T* tau,
+         T* qdd, T* pivots) {
+  Poses<T>& pose = work.bias.pose;
+  pose.update(tree, q);
+  newton_euler<false>(tree, pose, work.bias, q, v, static_cast<const T*>(nullptr), qdd);
+  for (int k = 0; k < tree.nv; ++k) qdd[k] = tau[k] - qdd[k];
+  UpperTriangle<T> M{work.M.data(), tree.nv};
+  composite_bodies(tree, pose, work.composite, q, M);
+  ltdl(tree, work.body, q, M, work.D_inverse.data());
+  for (int k = 0; k < tree.nv; ++k) pivots[k] = M(k, k);
+  solve(tree, M, work.D_inverse.data(), qdd);
+}
+
+}  // namespace arboc

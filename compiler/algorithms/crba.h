@@ -1,0 +1,124 @@
+// Joint-space inertia: q -> M.  Composite rigid bodies with second moments, RECURSIONS section 4.
+//
+// Column j is the wrench on the subtree of j under a unit acceleration of coordinate j, felt at j
+// and, carried up, at every ancestor.  Bodies on different branches share no entry.
+#pragma once
+#include "algorithms/wrench.h"
+
+namespace arboc {
+
+/// Upper triangle in a dense row-major array: the simplest M that crba, ltdl and minv write to.
+/// They ask for M(i, j) with i <= j only.
+template <class T>
+struct UpperTriangle {
+  T* data = nullptr;
+  int n = 0;
+  T& operator()(int i, int j) const { return data[i * n + j]; }
+};
+
+/// Inertia of a subtree about the origin of a body's frame and in its axes.
+template <class T>
+struct Composite {
+  T m{};
+  Vector3<T> h;
+  Symmetric3<T> Sigma;
+};
+
+template <class T>
+struct CrbaWorkspace {
+  Poses<T> pose;
+  std::vector<Composite<T>> composite;
+
+  explicit CrbaWorkspace(const DynamicTree& tree) : pose(tree), composite(tree.body.size()) {}
+};
+
+/// The wrench that gives the subtree a unit acceleration in `component` of (linear, angular).
+template <class T>
+Wrench<T> unit_wrench(const Composite<T>& C, int component) {
+  const T o(0);
+  const Vector3<T>& h = C.h;
+  const Symmetric3<T>& S = C.Sigma;
+  switch (component) {
+    case 0: return {{C.m, o, o}, {o, h.z, -h.y}};
+    case 1: return {{o, C.m, o}, {-h.z, o, h.x}};
+    case 2: return {{o, o, C.m}, {h.y, -h.x, o}};
+    case 3: return {{o, -h.z, h.y}, {S.yy + S.zz, -S.xy, -S.xz}};
+    case 4: return {{h.z, o, -h.x}, {-S.xy, S.xx + S.zz, -S.yz}};
+    default: return {{-h.y, h.x, o}, {-S.xz, -S.yz, S.xx + S.yy}};
+  }
+}
+
+/// Adds the subtree of a body to its parent's: with h' = E h
+///   h += h' + m p,   Sigma += E Sigma E^T + h' p^T + p h'^T + m p p^T.
+/// What is constant where p is (m p, m p p^T) meets the parent's own constants first and folds.
+template <class T>
+void add_composite(const Body& body, const JointPose<T>& pose, const Composite<T>& C,
+                   Composite<T>& parent) {
+  const Vector3<T> h = up(body, pose, C.h);
+  const Symmetric3<T> S = up(body, pose, C.Sigma);
+  const Vector3<T>& p = pose.p;
+  const Vector3<T> mp = C.m * p;
+  parent.m = parent.m + C.m;
+  parent.h = (parent.h + mp) + h;
+  parent.Sigma +=
+      Symmetric3<T>{mp.x * p.x, mp.y * p.y, mp.z * p.z, mp.x * p.y, mp.x * p.z, mp.y * p.z};
+  parent.Sigma += Symmetric3<T>{S.xx + (T(2) * p.x) * h.x,      S.yy + (T(2) * p.y) * h.y,
+                                S.zz + (T(2) * p.z) * h.z,      S.xy + (h.x * p.y + h.y * p.x),
+                                S.xz + (h.x * p.z + h.z * p.x), S.yz + (h.y * p.z + h.z * p.y)};
+}
+
+/// Writes what the joint of body k feels of a unit acceleration of coordinate d of body j.
+template <class T, class Matrix>
+void add_entries(const DynamicTree& tree, int k, int j, int d, const Wrench<T>& wrench, Matrix& M) {
+  const Body &row = tree.body[k], &column = tree.body[j];
+  const int c = column.v + d;
+  const int n = k == j ? d + 1 : freedoms(row.motion);
+  for (int e = 0; e < n; ++e) {
+    const int r = row.v + e;
+    // Mimic joints: M = G^T M' G.  Two of one coordinate meet on its diagonal, once each way.
+    const double factor = row.multiplier * column.multiplier * (r == c && k != j ? 2 : 1);
+    T& entry = r < c ? M(r, c) : M(c, r);
+    entry = entry + factor * wrench[component(row.motion, e)];
+  }
+}
+
+/// The recursion behind crba; the poses are up to date.
+template <class T, class Matrix>
+void composite_bodies(const DynamicTree& tree, const Poses<T>& pose,
+                      std::vector<Composite<T>>& composite, const T* q, Matrix& M) {
+  for (int j = 0; j < tree.nv; ++j) {
+    M(j, j) = T(0);
+    for (const int i : tree.coupled[j]) M(i, j) = T(0);
+  }
+  for (int i = 1; i <= tree.nb(); ++i) {
+    const MassMoments& I = tree.body[i].inertia;
+    const Symmetric3<double>& S = I.Sigma;
+    composite[i] = {T(I.m), cast<T>(I.h), {T(S.xx), T(S.yy), T(S.zz), T(S.xy), T(S.xz), T(S.yz)}};
+  }
+  for (int j = tree.nb(); j > 0; --j) {
+    const Body& body = tree.body[j];
+    enter_block(q, body.link, "column");
+    for (int d = 0; d < freedoms(body.motion); ++d) {
+      Wrench<T> wrench = unit_wrench(composite[j], component(body.motion, d));
+      add_entries(tree, j, j, d, wrench, M);
+      for (int k = j; tree.body[k].parent != 0;) {
+        wrench = up(tree.body[k], pose[k], wrench);
+        k = tree.body[k].parent;
+        add_entries(tree, k, j, d, wrench, M);
+      }
+    }
+    if (body.parent == 0) continue;
+    enter_block(q, body.link, "composite");
+    add_composite(body, pose[j], composite[j], composite[body.parent]);
+  }
+}
+
+/// q (nq) -> M(j, j) and M(i, j) for i in tree.coupled[j]; no other entry is touched.
+/// Matrix: T& operator()(int i, int j), asked for i <= j.
+template <class T, class Matrix>
+void crba(const DynamicTree& tree, CrbaWorkspace<T>& work, const T* q, Matrix&& M) {
+  work.pose.update(tree, q);
+  composite_bodies(tree, work.pose, work.composite, q, M);
+}
+
+}  // namespace arboc

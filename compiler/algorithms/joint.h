@@ -1,0 +1,121 @@
+// One joint: where it puts its body, and vectors carried across it.
+//
+//   E = Rz(gamma) Rx(alpha) Rz(theta + q)        revolute, planar
+//   E = Rz(gamma) Rx(alpha) Rz(theta)            prismatic
+//   E = Rz(gamma) Rx(alpha) Rz(theta) R(quat)    floating
+// and x_parent = E x + p.  Sine and cosine are taken of the user's q and then turned by theta:
+// q + theta would round, by 0.06 rad at q = 1e15.
+#pragma once
+#include <vector>
+
+#include "algorithms/block.h"
+#include "algorithms/scalar_double.h"
+#include "tree/dynamic_tree.h"
+
+namespace arboc {
+
+template <class T>
+struct JointPose {
+  PlanarRotation<T> turn;  ///< theta, and the joint's angle if it has one
+  Vector3<T> p;            ///< m, origin of the body in its parent's frame
+  Matrix3<T> Q;            ///< R(quaternion) of a floating joint, otherwise unused
+};
+
+/// The joint's own coordinate, for those that have one.
+template <class T>
+T coordinate(const Body& body, const T* q) {
+  return body.multiplier * q[body.q] + body.offset;
+}
+/// Entry d of the joint's part of v or a.
+template <class T>
+T rate(const Body& body, const T* v, int d = 0) {
+  return body.multiplier * v[body.v + d];
+}
+
+/// Rz(gamma) Rx(alpha) a.
+template <class T>
+Vector3<T> out_of_joint(const Body& body, const Vector3<T>& a) {
+  return rotate_z(body.gamma, rotate_x(body.alpha, a));
+}
+
+/// The pose as far as it does not depend on q.
+template <class T>
+JointPose<T> constant_pose(const Body& body) {
+  JointPose<T> pose;
+  pose.turn = {T(body.theta.c), T(body.theta.s)};
+  pose.p = cast<T>(body.c);
+  return pose;
+}
+
+template <class T>
+PlanarRotation<T> joint_turn(const Body& body, const T& angle) {
+  PlanarRotation<T> turn;
+  sincos(angle, turn.s, turn.c);
+  return compose(body.theta, turn);
+}
+
+template <class T>
+void update_pose(const Body& body, const T* q, JointPose<T>& pose) {
+  switch (body.motion) {
+    case Motion::kWorld: break;
+    case Motion::kRevolute: pose.turn = joint_turn(body, coordinate(body, q)); break;
+    case Motion::kPrismatic: {
+      const Vector3<double> axis = out_of_joint(body, Vector3<double>{0, 0, 1});
+      pose.p = cast<T>(body.c) + coordinate(body, q) * cast<T>(axis);
+      break;
+    }
+    case Motion::kPlanar: {
+      const Vector3<T> slide{q[body.q], q[body.q + 1], T(0)};
+      pose.p = cast<T>(body.c) + out_of_joint(body, rotate_z(body.theta, slide));
+      pose.turn = joint_turn(body, q[body.q + 2]);
+      break;
+    }
+    case Motion::kFloating: {
+      const Vector3<T> slide{q[body.q], q[body.q + 1], q[body.q + 2]};
+      pose.p = cast<T>(body.c) + out_of_joint(body, rotate_z(body.theta, slide));
+      pose.Q = rotation_of_quaternion(q + body.q + 3);
+      break;
+    }
+  }
+}
+
+/// E a.
+template <class T>
+Vector3<T> up(const Body& body, const JointPose<T>& pose, const Vector3<T>& a) {
+  if (body.motion == Motion::kFloating) return out_of_joint(body, rotate_z(pose.turn, pose.Q * a));
+  return out_of_joint(body, rotate_z(pose.turn, a));
+}
+/// E^T a.
+template <class T>
+Vector3<T> down(const Body& body, const JointPose<T>& pose, const Vector3<T>& a) {
+  const Vector3<T> b =
+      rotate_back_z(pose.turn, rotate_back_x(body.alpha, rotate_back_z(body.gamma, a)));
+  return body.motion == Motion::kFloating ? transpose_apply(pose.Q, b) : b;
+}
+/// E A E^T.
+template <class T>
+Symmetric3<T> up(const Body& body, const JointPose<T>& pose, const Symmetric3<T>& A) {
+  const Symmetric3<T> B =
+      congruence_z(pose.turn, body.motion == Motion::kFloating ? congruence(pose.Q, A) : A);
+  return congruence_z(body.gamma, congruence_x(body.alpha, B));
+}
+
+/// The poses of all joints.
+template <class T>
+struct Poses {
+  std::vector<JointPose<T>> joint;
+
+  explicit Poses(const DynamicTree& tree) {
+    joint.reserve(tree.body.size());
+    for (const Body& body : tree.body) joint.push_back(constant_pose<T>(body));
+  }
+  void update(const DynamicTree& tree, const T* q) {
+    for (int i = 1; i <= tree.nb(); ++i) {
+      enter_block(q, tree.body[i].link, "pose");
+      update_pose(tree.body[i], q, joint[i]);
+    }
+  }
+  const JointPose<T>& operator[](int i) const { return joint[i]; }
+};
+
+}  // namespace arboc

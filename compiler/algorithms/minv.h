@@ -1,0 +1,71 @@
+// The inverse of the joint-space inertia: q -> M^-1 = W D^-1 W^T with W = L^-1.
+//
+// Row k of W lives on the elimination path of k (the nearest coupled coordinate, the nearest of
+// that, ...), so an entry of M^-1 is a sum over the paths' common part only.
+#pragma once
+#include "algorithms/crba.h"
+#include "algorithms/ltdl.h"
+
+namespace arboc {
+
+template <class T>
+struct MinvWorkspace {
+  CrbaWorkspace<T> crba;
+  std::vector<T> M;          ///< nv x nv: L and D in the upper triangle
+  std::vector<T> W;          ///< nv x nv, W(k, j) at row k
+  std::vector<T> V;          ///< W D^-1
+  std::vector<T> D_inverse;  ///< nv
+  std::vector<int> next;     ///< per coordinate the next one of its elimination path, -1: none
+  std::vector<int> body;     ///< per coordinate
+
+  explicit MinvWorkspace(const DynamicTree& tree)
+      : crba(tree),
+        M(static_cast<size_t>(tree.nv) * tree.nv),
+        W(M.size()),
+        V(M.size()),
+        D_inverse(tree.nv),
+        body(body_of_coordinate(tree)) {
+    for (const auto& row : tree.coupled) next.push_back(row.empty() ? -1 : row.front());
+  }
+};
+
+/// Row k of W = L^-1: x <- L^-T e_k, along the path.
+template <class T>
+void invert_row(const DynamicTree& tree, MinvWorkspace<T>& work, int k) {
+  const UpperTriangle<T> L{work.M.data(), tree.nv};
+  T* x = work.W.data() + static_cast<size_t>(k) * tree.nv;
+  for (int j = k; j >= 0; j = work.next[j]) x[j] = T(0);
+  x[k] = T(1);
+  for (int j = k; j >= 0; j = work.next[j])
+    for (const int i : tree.coupled[j]) x[i] = x[i] - L(i, j) * x[j];
+  T* y = work.V.data() + static_cast<size_t>(k) * tree.nv;
+  for (int j = k; j >= 0; j = work.next[j]) y[j] = x[j] * work.D_inverse[j];
+}
+
+/// q (nq) -> Minv(i, j) for all i <= j; zero where no path is shared.
+/// Matrix: T& operator()(int i, int j), asked for i <= j.
+template <class T, class Matrix>
+void minv(const DynamicTree& tree, MinvWorkspace<T>& work, const T* q, Matrix&& Minv) {
+  const int n = tree.nv;
+  UpperTriangle<T> M{work.M.data(), n};
+  crba(tree, work.crba, q, M);
+  ltdl(tree, work.body, q, M, work.D_inverse.data());
+  for (int k = 0; k < n; ++k) {
+    enter_block(q, tree.body[work.body[k]].link, "inverse");
+    invert_row(tree, work, k);
+    const T* V = work.V.data() + static_cast<size_t>(k) * n;
+    for (int i = 0; i <= k; ++i) {
+      const T* W = work.W.data() + static_cast<size_t>(i) * n;
+      int a = i, b = k;
+      while (a != b) {
+        int& further = a > b ? a : b;
+        further = work.next[further];
+      }
+      T sum(0);
+      for (; a >= 0; a = work.next[a]) sum = sum + W[a] * V[a];
+      Minv(i, k) = sum;
+    }
+  }
+}
+
+}  // namespace arboc

@@ -1,0 +1,16 @@
+// Chooses modified Denavit-Hartenberg frames along the main child of every body.
+//
+// With the axis on z a joint leaves free where on the axis the origin sits and, if nothing
+// measures along x and y, how the frame is turned about z.  Both are spent on the child with the
+// largest subtree: x along the common normal, the origin at its foot, so that this child's
+// placement is Rx(alpha) up to a signed permutation and an offset (a, -b sin alpha, b cos alpha).
+#pragma once
+#include "tree/draft.h"
+
+namespace arboc {
+
+/// Before: axes on z.  After: the same, frames as above; a revolute leaf is turned so that h_y = 0.
+/// Other children, and the children of the world and of a floating base, keep general placements.
+void choose_denavit_frames(Draft& draft);
+
+}  // namespace arboc
