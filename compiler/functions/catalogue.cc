@@ -1,0 +1,179 @@
+#include "functions/catalogue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/diagnostic.h"
+#include "functions/run.h"
+#include "graph/expr.h"
+
+namespace arboc {
+namespace {
+
+/// Inputs are letters: q v a, t for tau.
+struct Entry {
+  const char* name;
+  const char* inputs;
+  const char* output;
+  const char* meaning;
+};
+
+constexpr std::array<Entry, 7> kFunctions = {{
+    {"fk", "q", "placements",
+     "Forward kinematics: where each moving link's frame is in the world."},
+    {"rnea", "qva", "tau", "Inverse dynamics: tau = M(q) a + C(q, v) v + g(q). [RBDA] Table 5.1."},
+    {"gravity", "q", "g", "Gravity forces: the joint forces that hold the body at rest."},
+    {"nle", "qv", "nle", "Nonlinear effects: C(q, v) v + g(q)."},
+    {"crba", "q", "M", "Joint-space inertia matrix. [RBDA] Table 6.2."},
+    {"minv", "q", "Minv", "Inverse of the joint-space inertia matrix."},
+    {"aba", "qvt", "qdd", "Forward dynamics: M(q) qdd = tau - C(q, v) v - g(q)."},
+}};
+
+const Entry& find(const std::string& name) {
+  return *std::find_if(kFunctions.begin(), kFunctions.end(),
+                       [&](const Entry& e) { return name == e.name; });
+}
+
+Argument input_argument(char letter, const DynamicTree& tree) {
+  switch (letter) {
+    case 'q':
+      return {"q", tree.nq, 1, "rad, m", "configuration; quaternions x y z w of length 1", false};
+    case 'v':
+      return {"v",
+              tree.nv,
+              1,
+              "rad/s, m/s",
+              "velocity; floating joints linear, angular in the body frame",
+              false};
+    case 'a': return {"a", tree.nv, 1, "rad/s^2, m/s^2", "time derivative of v", false};
+    default:
+      return {"tau",
+              tree.nv,
+              1,
+              "N m, N",
+              "joint forces; floating joints force, moment in the body frame",
+              false};
+  }
+}
+
+Argument output_argument(const std::string& name, const DynamicTree& tree) {
+  const int nv = tree.nv;
+  if (name == "placements")
+    return {name,
+            static_cast<int>(moving_frames(tree).size()),
+            12,
+            "1, m",
+            "one row a frame: rotation matrix (world from link, by rows), then origin in the world",
+            false};
+  if (name == "M") return {name, nv, nv, "kg m^2, kg m, kg", "kinetic energy is v M v / 2", true};
+  if (name == "Minv") return {name, nv, nv, "1/(kg m^2), 1/(kg m), 1/kg", "inverse of M", true};
+  if (name == "qdd") return {name, nv, 1, "rad/s^2, m/s^2", "time derivative of v", false};
+  return {name, nv, 1, "N m, N", "joint forces; floating joints force, moment in the body frame",
+          false};
+}
+
+/// The structural non-zeros of the upper triangle, by columns, and their values.
+std::vector<Expr> non_zeros(const std::vector<Expr>& matrix, int n, Pattern& pattern) {
+  std::vector<Expr> entries;
+  for (int col = 0; col < n; ++col) {
+    for (int row = 0; row <= col; ++row) {
+      const Expr& entry =
+          matrix[static_cast<size_t>(row) * static_cast<size_t>(n) + static_cast<size_t>(col)];
+      if (is_zero(entry)) continue;
+      pattern.row.push_back(row);
+      pattern.col.push_back(col);
+      entries.push_back(entry);
+    }
+  }
+  return entries;
+}
+
+/// Names the joint whose coordinate can never be accelerated by a finite force.
+void refuse_singular(const DynamicTree& tree, const std::vector<Expr>& pivots,
+                     const std::string& function) {
+  for (size_t k = pivots.size(); k-- > 0;) {
+    if (!pivots[k].is_constant() || pivots[k].value() > 0) continue;
+    const auto body = std::find_if(tree.body.begin(), tree.body.end(), [&](const Body& b) {
+      const int first = b.v, last = b.v + freedoms(b.motion);
+      return first <= static_cast<int>(k) && static_cast<int>(k) < last;
+    });
+    throw InputError(
+        fmt::format("error: joint '{}': what it moves has no inertia about its axis, so {} has no "
+                    "solution (give its "
+                    "links mass, fix the joint, or leave {} out)",
+                    printable(body->joint), function, function));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> function_names() {
+  std::vector<std::string> names;
+  for (const Entry& entry : kFunctions) names.emplace_back(entry.name);
+  return names;
+}
+
+bool is_function(const std::string& name) {
+  return std::any_of(kFunctions.begin(), kFunctions.end(),
+                     [&](const Entry& e) { return name == e.name; });
+}
+
+Signature signature(const std::string& function, const DynamicTree& tree) {
+  const Entry& entry = find(function);
+  Signature s;
+  s.name = entry.name;
+  s.meaning = entry.meaning;
+  for (const char* letter = entry.inputs; *letter; ++letter)
+    s.inputs.push_back(input_argument(*letter, tree));
+  s.outputs.push_back(output_argument(entry.output, tree));
+  if (function == "aba" || function == "minv") s.positive = "pivot";
+  return s;
+}
+
+std::vector<LoweringOptions> lowerings(const std::string& function) {
+  const bool regroup = function != "fk";
+  return {{FrameChoice::kAxis, regroup}, {FrameChoice::kDenavit, regroup}};
+}
+
+Traced trace(const std::string& function, const DynamicTree& tree) {
+  const Signature s = signature(function, tree);
+  Builder builder(function);
+  std::vector<std::vector<Expr>> inputs;
+  for (const Argument& a : s.inputs) {
+    inputs.emplace_back();
+    for (const Ref ref : builder.input(a.name, a.rows)) inputs.back().emplace_back(&builder, ref);
+  }
+  const Results<Expr> results = run(function, tree, inputs);
+  if (!results.pivots.empty()) refuse_singular(tree, results.pivots, function);
+
+  Traced traced;
+  const auto output = [&](const std::string& name, const std::vector<Expr>& values) {
+    std::vector<Ref> refs;
+    for (const Expr& value : values) refs.push_back(value.ref(builder));
+    builder.output(name, refs);
+  };
+  const Argument& a = s.outputs.front();
+  traced.patterns.emplace_back();
+  output(a.name,
+         a.symmetric ? non_zeros(results.output, tree.nv, traced.patterns.back()) : results.output);
+  if (!s.positive.empty()) output(s.positive, results.pivots);
+  traced.graph = std::move(builder).finish();
+  return traced;
+}
+
+Values evaluate_generic(const std::string& function, const DynamicTree& tree,
+                        const Values& inputs) {
+  const Signature s = signature(function, tree);
+  std::vector<std::vector<double>> in;
+  for (const Argument& a : s.inputs) in.push_back(inputs.at(a.name));
+  Results<double> results = run(function, tree, in);
+  const auto n = static_cast<size_t>(tree.nv);
+  if (s.outputs.front().symmetric)
+    for (size_t i = 0; i < n; ++i)
+      for (size_t j = 0; j < i; ++j) results.output[i * n + j] = results.output[j * n + i];
+  return {{s.outputs.front().name, results.output}};
+}
+
+}  // namespace arboc
