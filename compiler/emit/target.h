@@ -75,7 +75,7 @@ struct TargetModel {
   std::vector<Table> limits;                ///< q_lower, q_upper (nq), v_limit, tau_limit (nv)
   std::vector<TargetFunction> functions;
   std::vector<Recording> recordings;  ///< for the selftest
-  double step = 1e-5;                 ///< s, of the recordings
+  double step = 1e-4;                 ///< s, of the recordings
   std::string manifest_extra;         ///< JSON text of the members that only the front knows
 };
 

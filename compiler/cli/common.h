@@ -1,0 +1,64 @@
+// What the subcommands share: model options, reading, reporting, exit statuses.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "compile.h"
+#include "model/model.h"
+
+namespace arboc::cli {
+
+enum ExitStatus { kOk = 0, kUsage = 1, kInput = 2, kOutput = 3, kInternal = 4, kNo = 5, kInterrupted = 130 };
+
+/// SIGINT arrived; thrown at the next stage boundary.
+struct Interrupted {};
+
+/// From now on SIGINT sets a flag that check_interrupt() turns into an exception.
+void catch_interrupt();
+void check_interrupt();
+
+/// Options and arguments of every subcommand.
+struct Common {
+  std::string path;
+  CompileOptions compile;
+  std::string functions = "all";
+  bool json = false;
+  bool verbose = false;
+  std::string cxx;
+  std::string cxxflags = "-std=c++17 -O2 -march=native -fno-tree-vectorize";
+};
+
+void add_model_options(CLI::App& app, Common& common);
+void add_function_option(CLI::App& app, Common& common);
+void add_compiler_options(CLI::App& app, Common& common);
+
+/// `rnea,crba` or `all` -> names; throws CLI::ValidationError for an unknown one.
+std::vector<std::string> function_list(const std::string& text);
+
+/// Reads the model; prints errors and warnings to stderr.  Throws InputError.
+Model read(const Common& common, Diagnostics& diagnostics);
+
+/// configure() as the options say.
+Model configured(const Common& common, const Model& model, Diagnostics& diagnostics);
+
+/// Prints to stderr what the stages reported: each warning; notes one by one if `notes`, otherwise
+/// their number.
+void print_diagnostics(const Diagnostics& diagnostics, bool notes);
+
+/// "[3/7] rnea ..." on stderr where it is a terminal and the work takes long.
+void progress(int step, int steps, const std::string& what);
+void progress_done();
+
+// The subcommands; each returns its exit status.
+int run_compile(const Common& common, const std::string& out, const std::string& stage);
+int run_inspect(const Common& common, bool count_ops);
+struct EvalOptions {
+  std::string function, q, v, a, tau, output;
+  std::string engine = "generated";
+};
+int run_eval(const Common& common, const EvalOptions& options);
+int run_check(const Common& common, int states);
+int run_bench(const Common& common);
+
+}  // namespace arboc::cli
