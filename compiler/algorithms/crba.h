@@ -67,19 +67,20 @@ void add_composite(const Body& body, const JointPose<T>& pose, const Composite<T
                                 S.xz + (h.x * p.z + h.z * p.x), S.yz + (h.y * p.z + h.z * p.y)};
 }
 
-/// Writes what the joint of body k feels of a unit acceleration of coordinate d of body j.
+/// Adds what the joint of body k feels of a unit acceleration of coordinate d of body j.
 template <class T, class Matrix>
-void add_entries(const DynamicTree& tree, int k, int j, int d, const Wrench<T>& wrench, Matrix& M) {
-  const Body &row = tree.body[k], &column = tree.body[j];
+ARBOC_INLINE void add_entries(const Body& row, const Body& column, int d, const Wrench<T>& wrench,
+                              Matrix& M) {
   const int c = column.v + d;
-  const int n = k == j ? d + 1 : freedoms(row.motion);
-  for (int e = 0; e < n; ++e) {
+  const bool same_body = &row == &column;
+  for_each_joint_force(row.motion, wrench, [&](int e, const T& force) {
     const int r = row.v + e;
+    if (same_body && e > d) return;
     // Mimic joints: M = G^T M' G.  Two of one coordinate meet on its diagonal, once each way.
-    const double factor = row.multiplier * column.multiplier * (r == c && k != j ? 2 : 1);
+    const double factor = row.multiplier * column.multiplier * (r == c && !same_body ? 2 : 1);
     T& entry = r < c ? M(r, c) : M(c, r);
-    entry = entry + factor * wrench[component(row.motion, e)];
-  }
+    entry = entry + factor * force;
+  });
 }
 
 /// The recursion behind crba; the poses are up to date.
@@ -100,11 +101,11 @@ void composite_bodies(const DynamicTree& tree, const Poses<T>& pose,
     enter_block(q, body.link, "column");
     for (int d = 0; d < freedoms(body.motion); ++d) {
       Wrench<T> wrench = unit_wrench(composite[j], component(body.motion, d));
-      add_entries(tree, j, j, d, wrench, M);
+      add_entries(body, body, d, wrench, M);
       for (int k = j; tree.body[k].parent != 0;) {
         wrench = up(tree.body[k], pose[k], wrench);
         k = tree.body[k].parent;
-        add_entries(tree, k, j, d, wrench, M);
+        add_entries(tree.body[k], body, d, wrench, M);
       }
     }
     if (body.parent == 0) continue;

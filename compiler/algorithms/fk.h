@@ -32,10 +32,10 @@ void fk(const DynamicTree& tree, FkWorkspace<T>& work, const T* q, const std::ve
     enter_block(q, body.link, "placement");
     const auto& parent = work.link[body.parent];
     auto& link = work.link[i];
-    for (int r = 0; r < 3; ++r) {
-      link.row[r] = down(body, work.pose[i], parent.row[r]);
-      link.x[r] = parent.x[r] + dot(parent.row[r], work.pose[i].p);
-    }
+    const Vector3<T>& p = work.pose[i].p;
+    for (int r = 0; r < 3; ++r) link.row[r] = down(body, work.pose[i], parent.row[r]);
+    link.x =
+        parent.x + Vector3<T>{dot(parent.row[0], p), dot(parent.row[1], p), dot(parent.row[2], p)};
   }
   for (const int k : frames) {
     const Frame& frame = tree.frame[k];

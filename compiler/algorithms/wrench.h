@@ -9,19 +9,17 @@ template <class T>
 struct Wrench {
   Vector3<T> f;
   Vector3<T> n;
-
-  const T& operator[](int k) const { return k < 3 ? f[k] : n[k - 3]; }
 };
 
 /// The same about the origin of the parent's frame, in its axes.
 template <class T>
-Wrench<T> up(const Body& body, const JointPose<T>& pose, const Wrench<T>& wrench) {
+ARBOC_INLINE Wrench<T> up(const Body& body, const JointPose<T>& pose, const Wrench<T>& wrench) {
   const Vector3<T> f = up(body, pose, wrench.f);
   return {f, up(body, pose, wrench.n) + cross(pose.p, f)};
 }
 
-/// The entry of (linear, angular) that coordinate d of a joint moves, and of the wrench that does
-/// work on it: every joint moves along or about axes of the body's frame.
+/// The entry of (linear, angular) that coordinate d of a joint moves: every joint moves along or
+/// about axes of the body's frame.
 inline int component(Motion motion, int d) {
   switch (motion) {
     case Motion::kRevolute: return 5;
@@ -31,14 +29,37 @@ inline int component(Motion motion, int d) {
   }
 }
 
+/// Calls use(d, force) for each coordinate d of the joint: what the joint feels of `wrench`.
+template <class T, class Use>
+void for_each_joint_force(Motion motion, const Wrench<T>& wrench, Use&& use) {
+  const Vector3<T>&f = wrench.f, &n = wrench.n;
+  switch (motion) {
+    case Motion::kWorld: break;
+    case Motion::kRevolute: use(0, n.z); break;
+    case Motion::kPrismatic: use(0, f.z); break;
+    case Motion::kPlanar:
+      use(0, f.x);
+      use(1, f.y);
+      use(2, n.z);
+      break;
+    case Motion::kFloating:
+      use(0, f.x);
+      use(1, f.y);
+      use(2, f.z);
+      use(3, n.x);
+      use(4, n.y);
+      use(5, n.z);
+      break;
+  }
+}
+
 /// Adds what the joint of `body` feels of `wrench` to the generalised forces.
 template <class T>
 void add_joint_force(const Body& body, const Wrench<T>& wrench, T* tau) {
-  const int n = freedoms(body.motion);
-  for (int d = 0; d < n; ++d) {
+  for_each_joint_force(body.motion, wrench, [&](int d, const T& force) {
     T& entry = tau[body.v + d];
-    entry = entry + body.multiplier * wrench[component(body.motion, d)];
-  }
+    entry = entry + body.multiplier * force;
+  });
 }
 
 }  // namespace arboc
