@@ -29,6 +29,7 @@ struct Inertial {
   Pose origin;      ///< of the inertial frame in the link frame; its origin is the centre of mass
   double mass = 0;  ///< kg
   Symmetric3<double> inertia;  ///< kg m^2, about the centre of mass, axes of the inertial frame
+  Location location{};
 };
 
 struct Link {
@@ -55,6 +56,7 @@ struct Mimic {
   int leader = -1;  ///< index of the leading joint
   double multiplier = 1;
   double offset = 0;  ///< rad or m
+  Location location{};
 };
 
 struct Joint {

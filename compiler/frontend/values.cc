@@ -1,0 +1,65 @@
+#include "frontend/values.h"
+
+#include <fmt/format.h>
+
+#include "base/number.h"
+#include "model/findings.h"
+
+namespace arboc {
+namespace {
+
+std::string lower_case(std::string_view text) {
+  std::string out(text);
+  for (char& c : out)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return out;
+}
+
+/// What to do about text that is not a number.
+std::string remedy(std::string_view text) {
+  const std::string word = lower_case(text);
+  const auto has = [&](std::string_view part) { return word.find(part) != std::string::npos; };
+  if (has("${") || has("$(")) return "expand the file with xacro first";
+  if (has("inf") || has("nan")) return "numbers must be finite";
+  if (has("0x")) return "write it in decimal";
+  if (has(",")) return "separate numbers by blanks and write a decimal point";
+  if (has("pi")) return "write the number itself";
+  if (has("\xE2\x88\x92")) return "the minus sign is U+2212; write '-'";
+  return "";
+}
+
+bool is_out_of_range(std::string_view text) {
+  return text.find_first_not_of("0123456789+-.eE") == std::string_view::npos &&
+         text.find_first_of("eE") != std::string_view::npos &&
+         parse_finite(text.substr(0, text.find_first_of("eE"))).has_value() &&
+         text.find_first_of("0123456789", text.find_first_of("eE")) != std::string_view::npos;
+}
+
+}  // namespace
+
+Numbers parse_numbers(std::string_view text, Value kind) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  Numbers result;
+  size_t count = 0;
+  for (size_t i = text.find_first_not_of(kBlanks); i != std::string_view::npos;) {
+    const size_t end = std::min(text.find_first_of(kBlanks, i), text.size());
+    const std::string_view word = text.substr(i, end - i);
+    const auto number = parse_finite(word);
+    if (!number) {
+      const bool range = is_out_of_range(word);
+      result.fault = fmt::format("{} is {}", quoted(word),
+                                 range ? "beyond the range of double" : "not a number");
+      result.hint = range ? "" : remedy(word);
+      return result;
+    }
+    if (count < numbers_in(kind)) result.value[count] = *number;
+    ++count;
+    i = text.find_first_not_of(kBlanks, end);
+  }
+  if (count != numbers_in(kind))
+    result.fault = fmt::format("{} number{} where {} {} needed", count, count == 1 ? "" : "s",
+                               numbers_in(kind), numbers_in(kind) == 1 ? "is" : "are");
+  return result;
+}
+
+}  // namespace arboc

@@ -1,0 +1,64 @@
+#include "model/findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace arboc {
+
+void Findings::report(Severity severity, Finding finding) {
+  int& count = severity == Severity::kError     ? errors_
+               : severity == Severity::kWarning ? warnings_
+                                                : notes_;
+  if (++count > kKept) return;
+  kept_.push_back({severity, file_, finding.where, std::move(finding.element),
+                   std::move(finding.message), std::move(finding.hint)});
+}
+
+void Findings::deliver(Diagnostics& diagnostics) const {
+  std::vector<Diagnostic> sorted = kept_;
+  const auto place = [](const Diagnostic& d) {
+    return std::tuple(d.severity == Severity::kNote, d.location.line, d.location.column);
+  };
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](const Diagnostic& a, const Diagnostic& b) { return place(a) < place(b); });
+  int errors = 0, warnings = 0;
+  std::string first_error;
+  for (Diagnostic& d : sorted) {
+    if (d.severity == Severity::kError) {
+      if (++errors > kShownErrors) continue;
+      if (errors == 1) first_error = to_string(d);
+    } else if (d.severity == Severity::kWarning && ++warnings > kShownWarnings) {
+      continue;
+    }
+    diagnostics.report(std::move(d));
+  }
+  const auto more = [&](int count, int shown, const char* what) {
+    if (count > shown)
+      diagnostics.report({Severity::kNote,
+                          file_,
+                          {},
+                          "",
+                          fmt::format("{} more {} not shown", count - shown, what),
+                          ""});
+  };
+  more(errors_, kShownErrors, "errors");
+  more(warnings_, kShownWarnings, "warnings");
+  if (errors > 0) throw InputError(first_error);
+}
+
+std::string quoted(std::string_view text) {
+  constexpr size_t kReadable = 80;
+  if (text.size() <= kReadable) return fmt::format("'{}'", text);
+  size_t end = kReadable;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // whole letters
+  return fmt::format("'{}...'", text.substr(0, end));
+}
+
+std::string named(const char* kind, std::string_view name) {
+  return name.empty() ? kind : fmt::format("{} {}", kind, quoted(name));
+}
+
+}  // namespace arboc
