@@ -21,8 +21,8 @@ CompiledFunction compile_function(const std::string& function, const Model& mode
     Program program = schedule(graph);
     if (!first && program.ops.total() >= best.program.ops.total()) continue;
     first = false;
-    best = {signature(function, tree), lowering, std::move(tree), std::move(graph), std::move(traced.patterns),
-            std::move(program)};
+    best = {signature(function, tree),  lowering,          std::move(tree), std::move(graph),
+            std::move(traced.patterns), std::move(program)};
   }
   return best;
 }
@@ -30,10 +30,12 @@ CompiledFunction compile_function(const std::string& function, const Model& mode
 void check_size(const Model& model, int max_dof) {
   const int nv = coordinates(model).nv;
   if (nv == 0)
-    throw InputError(fmt::format("{}: error: no joint moves, so there is nothing to compile", model.file));
+    throw InputError(
+        fmt::format("{}: error: no joint moves, so there is nothing to compile", model.file));
   if (nv > max_dof)
-    throw InputError(fmt::format("{}: error: {} degrees of freedom, more than the limit of {} (--max-dof {} allows it)",
-                                 model.file, nv, max_dof, nv));
+    throw InputError(fmt::format(
+        "{}: error: {} degrees of freedom, more than the limit of {} (--max-dof {} allows it)",
+        model.file, nv, max_dof, nv));
 }
 
 Compilation compile(const Model& model, const CompileOptions& options, Diagnostics& diagnostics) {
@@ -49,7 +51,8 @@ namespace {
 std::vector<std::string> changed_options(const ModelOptions& options) {
   std::vector<std::string> changed;
   if (options.base == Base::kFloating) changed.emplace_back("--base floating");
-  if (options.order == JointOrder::kAlphabetical) changed.emplace_back("--joint-order alphabetical");
+  if (options.order == JointOrder::kAlphabetical)
+    changed.emplace_back("--joint-order alphabetical");
   if (options.mimic == MimicPolicy::kIndependent) changed.emplace_back("--mimic independent");
   if (options.snap != ModelOptions().snap) changed.push_back("--snap " + shortest(options.snap));
   return changed;
@@ -77,14 +80,15 @@ void describe_joints(const Model& model, TargetModel& target) {
   for (size_t k = 0; k < model.joints.size(); ++k) {
     const Joint& joint = model.joints[k];
     if (nv(joint.type) == 0) continue;
-    nlohmann::ordered_json row{{"name", joint.name}, {"type", name(joint.type)},
-                               {"q", at.joint[k].q}, {"v", at.joint[k].v},
+    nlohmann::ordered_json row{{"name", joint.name},   {"type", name(joint.type)},
+                               {"q", at.joint[k].q},   {"v", at.joint[k].v},
                                {"nq", nq(joint.type)}, {"nv", nv(joint.type)}};
     if (joint.mimic) {
       row["mimic"] = {{"multiplier", at.joint[k].multiplier}, {"offset", at.joint[k].offset}};
     } else {
       target.joint_names.push_back(joint.name);
-      for (const std::string& suffix : freedoms_of(joint.type)) target.velocity_names.push_back(joint.name + suffix);
+      for (const std::string& suffix : freedoms_of(joint.type))
+        target.velocity_names.push_back(joint.name + suffix);
     }
     if (!joint.mimic && nv(joint.type) == 1) {
       lower.values[static_cast<size_t>(at.joint[k].q)] = joint.limits.lower;

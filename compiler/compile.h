@@ -21,7 +21,7 @@ struct CompiledFunction {
   Signature signature;
   LoweringOptions lowering;  ///< the one with the fewest operations
   DynamicTree tree;
-  Graph graph;               ///< after the passes
+  Graph graph;  ///< after the passes
   std::vector<Pattern> patterns;
   Program program;
 };

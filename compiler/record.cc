@@ -28,7 +28,8 @@ std::vector<double> rounded(std::vector<double> values) {
   return values;
 }
 
-std::vector<double> placements(const Model& model, const Reference& reference, const Eigen::VectorXd& q) {
+std::vector<double> placements(const Model& model, const Reference& reference,
+                               const Eigen::VectorXd& q) {
   std::vector<double> out;
   const auto links = reference.fk(q);
   for (const Joint& joint : model.joints) {
@@ -54,7 +55,8 @@ double StateSource::uniform(double low, double high) {
 
 State StateSource::next(const Model& model) {
   const Coordinates at = coordinates(model);
-  State s{Eigen::VectorXd(at.nq), Eigen::VectorXd(at.nv), Eigen::VectorXd(at.nv), Eigen::VectorXd(at.nv)};
+  State s{Eigen::VectorXd(at.nq), Eigen::VectorXd(at.nv), Eigen::VectorXd(at.nv),
+          Eigen::VectorXd(at.nv)};
   for (size_t k = 0; k < model.joints.size(); ++k) {
     const Joint& joint = model.joints[k];
     const int q = at.joint[k].q;
@@ -76,8 +78,8 @@ State StateSource::next(const Model& model) {
   return s;
 }
 
-Values evaluate_reference(const std::string& function, const Model& model, const Reference& reference,
-                          const Values& inputs) {
+Values evaluate_reference(const std::string& function, const Model& model,
+                          const Reference& reference, const Values& inputs) {
   const Eigen::VectorXd q = vector(inputs, "q");
   if (function == "fk") return {{"placements", placements(model, reference, q)}};
   if (function == "rnea")

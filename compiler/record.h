@@ -28,8 +28,8 @@ class StateSource {
 };
 
 /// The reference engine's results of `function`, dense and row-major, by output name.
-Values evaluate_reference(const std::string& function, const Model& model, const Reference& reference,
-                          const Values& inputs);
+Values evaluate_reference(const std::string& function, const Model& model,
+                          const Reference& reference, const Values& inputs);
 
 /// Fills in target.recordings.
 void record(const Model& model, TargetModel& target);

@@ -36,7 +36,8 @@ struct Job {
 
 Job start(const std::vector<std::string>& command, const std::string& log) {
   const pid_t pid = fork();
-  if (pid < 0) throw std::runtime_error(fmt::format("cannot start {}: {}", command[0], std::strerror(errno)));
+  if (pid < 0)
+    throw std::runtime_error(fmt::format("cannot start {}: {}", command[0], std::strerror(errno)));
   if (pid == 0) {
     const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     dup2(file, STDOUT_FILENO);
@@ -84,7 +85,9 @@ std::string build_library(const Common& common, const std::string& folder, const
     std::ofstream(fs::path(folder) / path, std::ios::binary) << bytes;
   }
   const char* variable = std::getenv("CXX");
-  std::vector<std::string> compiler = words(!common.cxx.empty() ? common.cxx : variable && *variable ? variable : "c++");
+  std::vector<std::string> compiler = words(!common.cxx.empty()     ? common.cxx
+                                            : variable && *variable ? variable
+                                                                    : "c++");
   for (const std::string& flag : words(common.cxxflags)) compiler.push_back(flag);
   compiler.emplace_back("-fPIC");
 
@@ -95,15 +98,16 @@ std::string build_library(const Common& common, const std::string& folder, const
   const auto wait_for = [&](size_t count) {
     for (; done < count; ++done) {
       finish(jobs[done]);
-      progress(static_cast<int>(done) + 1, static_cast<int>(sources.size()), "compiled " + sources[done]);
+      progress(static_cast<int>(done) + 1, static_cast<int>(sources.size()),
+               "compiled " + sources[done]);
     }
   };
   try {
     for (const std::string& source : sources) {
       std::vector<std::string> command = compiler;
       const std::string object = fmt::format("{}/{}.o", folder, jobs.size());
-      for (const std::string& word : {std::string("-I"), folder, std::string("-c"), folder + "/" + source,
-                                      std::string("-o"), object})
+      for (const std::string& word : {std::string("-I"), folder, std::string("-c"),
+                                      folder + "/" + source, std::string("-o"), object})
         command.push_back(word);
       link.push_back(object);
       if (common.verbose) fmt::print(stderr, "{}\n", fmt::join(command, " "));
@@ -118,7 +122,8 @@ std::string build_library(const Common& common, const std::string& folder, const
   }
   progress_done();
   const std::string library = folder + "/lib.so";
-  for (const std::string& word : {std::string("-shared"), std::string("-o"), library}) link.push_back(word);
+  for (const std::string& word : {std::string("-shared"), std::string("-o"), library})
+    link.push_back(word);
   if (common.verbose) fmt::print(stderr, "{}\n", fmt::join(link, " "));
   finish(start(link, library + ".log"));
   return library;
@@ -129,10 +134,13 @@ std::string glue(const TargetModel& model) {
   for (const TargetFunction& f : model.functions) {
     std::string arguments;
     for (size_t k = 0; k < f.signature.inputs.size(); ++k) arguments += fmt::format("in[{}], ", k);
-    for (size_t k = 0; k < f.signature.outputs.size(); ++k) arguments += fmt::format("out[{}], ", k);
+    for (size_t k = 0; k < f.signature.outputs.size(); ++k)
+      arguments += fmt::format("out[{}], ", k);
     arguments.resize(arguments.size() - 2);
-    const std::string call = fmt::format("{}::raw::{}<double>({})", model.name, f.signature.name, arguments);
-    out += fmt::format("int arboc_call_{}(const double* const* in, double* const* out) {{\n", f.signature.name);
+    const std::string call =
+        fmt::format("{}::raw::{}<double>({})", model.name, f.signature.name, arguments);
+    out += fmt::format("int arboc_call_{}(const double* const* in, double* const* out) {{\n",
+                       f.signature.name);
     out += f.signature.positive.empty() ? fmt::format("  {};\n  return 0;\n}}\n", call)
                                         : fmt::format("  return {};\n}}\n", call);
   }
@@ -148,9 +156,10 @@ std::string build_code(const Common& common, const std::string& folder, const Ta
   // The longest ones first.
   std::vector<const TargetFunction*> order;
   for (const TargetFunction& f : model.functions) order.push_back(&f);
-  std::stable_sort(order.begin(), order.end(), [](const TargetFunction* x, const TargetFunction* y) {
-    return x->program.ops.total() > y->program.ops.total();
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [](const TargetFunction* x, const TargetFunction* y) {
+                     return x->program.ops.total() > y->program.ops.total();
+                   });
   for (const TargetFunction* f : order)
     sources.push_back(fmt::format("{0}/{0}_{1}_double.cpp", model.name, f->signature.name));
   files["glue.cpp"] = glue(model);
@@ -166,8 +175,9 @@ GeneratedCode::GeneratedCode(const Common& common, TargetModel model)
       library_(library_path_) {}
 
 Values GeneratedCode::call(const std::string& function, const Values& inputs, int* status) const {
-  const auto f = std::find_if(model_.functions.begin(), model_.functions.end(),
-                              [&](const TargetFunction& t) { return t.signature.name == function; });
+  const auto f =
+      std::find_if(model_.functions.begin(), model_.functions.end(),
+                   [&](const TargetFunction& t) { return t.signature.name == function; });
   std::vector<const double*> in;
   for (const Argument& a : f->signature.inputs) in.push_back(inputs.at(a.name).data());
   std::vector<std::vector<double>> raw;
@@ -188,7 +198,9 @@ Values GeneratedCode::call(const std::string& function, const Values& inputs, in
       continue;
     }
     std::vector<double> dense(static_cast<size_t>(a.rows) * static_cast<size_t>(a.cols));
-    const auto at = [&](int row, int col) -> double& { return dense[static_cast<size_t>(row * a.cols + col)]; };
+    const auto at = [&](int row, int col) -> double& {
+      return dense[static_cast<size_t>(row * a.cols + col)];
+    };
     for (size_t e = 0; e < pattern.row.size(); ++e) {
       at(pattern.row[e], pattern.col[e]) = raw[k][e];
       if (a.symmetric) at(pattern.col[e], pattern.row[e]) = raw[k][e];

@@ -35,20 +35,33 @@ void add_model_options(CLI::App& app, Common& common) {
                                                  {"alphabetical", JointOrder::kAlphabetical}};
   app.add_option("--base", m.base, "how the root link is attached to the world")
       ->transform(CLI::CheckedTransformer(bases).description("fixed|floating"))
-      ->default_str("fixed")->type_name("")->group("Model");
+      ->default_str("fixed")
+      ->type_name("")
+      ->group("Model");
   app.add_option("--mimic", m.mimic, "what mimic joints do")
       ->transform(CLI::CheckedTransformer(mimics).description("follow|independent"))
-      ->default_str("follow")->type_name("")->group("Model");
+      ->default_str("follow")
+      ->type_name("")
+      ->group("Model");
   app.add_option("--joint-order", m.order, "order among siblings; alphabetical is Pinocchio's")
       ->transform(CLI::CheckedTransformer(orders).description("file|alphabetical"))
-      ->default_str("file")->type_name("")->group("Model");
+      ->default_str("file")
+      ->type_name("")
+      ->group("Model");
   app.add_option("--name", m.name, "name of the generated code (default: the model's, sanitised)")
-      ->type_name("NAME")->group("Model");
+      ->type_name("NAME")
+      ->group("Model");
   app.add_option("--snap", m.snap,
                  "written angles this close (rad) to a multiple of 15 degrees become it; 0 is off")
-      ->check(CLI::Range(0.0, 0.1))->capture_default_str()->type_name("TOL")->group("Model");
+      ->check(CLI::Range(0.0, 0.1))
+      ->capture_default_str()
+      ->type_name("TOL")
+      ->group("Model");
   app.add_option("--max-dof", common.compile.max_dof, "refuse to trace larger models")
-      ->check(CLI::PositiveNumber)->capture_default_str()->type_name("N")->group("Model");
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->type_name("N")
+      ->group("Model");
   app.add_flag("-v,--verbose", common.verbose, "print each note, and the compiler's command line");
 }
 
@@ -56,12 +69,18 @@ void add_function_option(CLI::App& app, Common& common) {
   std::string names;
   for (const std::string& name : function_names()) names += (names.empty() ? "" : ",") + name;
   app.add_option("--functions", common.functions, "comma-separated list of " + names + ", or all")
-      ->capture_default_str()->type_name("LIST");
+      ->capture_default_str()
+      ->type_name("LIST");
 }
 
 void add_compiler_options(CLI::App& app, Common& common) {
-  app.add_option("--cxx", common.cxx, "C++ compiler (default: $CXX, then c++)")->type_name("COMMAND")->group("Compiler");
-  app.add_option("--cxxflags", common.cxxflags, "its flags")->capture_default_str()->type_name("FLAGS")->group("Compiler");
+  app.add_option("--cxx", common.cxx, "C++ compiler (default: $CXX, then c++)")
+      ->type_name("COMMAND")
+      ->group("Compiler");
+  app.add_option("--cxxflags", common.cxxflags, "its flags")
+      ->capture_default_str()
+      ->type_name("FLAGS")
+      ->group("Compiler");
 }
 
 std::vector<std::string> function_list(const std::string& text) {
@@ -72,7 +91,8 @@ std::vector<std::string> function_list(const std::string& text) {
     if (!is_function(name)) {
       std::string known;
       for (const std::string& n : function_names()) known += " " + n;
-      throw CLI::ValidationError("--functions", fmt::format("unknown function '{}'; known are{}", printable(name), known));
+      throw CLI::ValidationError(
+          "--functions", fmt::format("unknown function '{}'; known are{}", printable(name), known));
     }
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
@@ -88,7 +108,8 @@ void print_diagnostics(const Diagnostics& diagnostics, bool notes) {
     else
       fmt::print(stderr, "{}\n", to_string(d));
   }
-  if (hidden > 0) fmt::print(stderr, "{} note{} (-v prints them)\n", hidden, hidden == 1 ? "" : "s");
+  if (hidden > 0)
+    fmt::print(stderr, "{} note{} (-v prints them)\n", hidden, hidden == 1 ? "" : "s");
 }
 
 Model read(const Common& common, Diagnostics& diagnostics) {

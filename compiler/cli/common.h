@@ -9,7 +9,15 @@
 
 namespace arboc::cli {
 
-enum ExitStatus { kOk = 0, kUsage = 1, kInput = 2, kOutput = 3, kInternal = 4, kNo = 5, kInterrupted = 130 };
+enum ExitStatus {
+  kOk = 0,
+  kUsage = 1,
+  kInput = 2,
+  kOutput = 3,
+  kInternal = 4,
+  kNo = 5,
+  kInterrupted = 130
+};
 
 /// SIGINT arrived; thrown at the next stage boundary.
 struct Interrupted {};

@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void fail(const std::string& what, const fs::path& path, int error) {
-  throw OutputError(fmt::format("{}: error: {}: {}", printable(path.string()), what, std::strerror(error)));
+  throw OutputError(
+      fmt::format("{}: error: {}: {}", printable(path.string()), what, std::strerror(error)));
 }
 
 /// Writes and syncs a new file.
@@ -112,7 +113,8 @@ void write_folder(const std::string& directory, const std::string& name, const F
 
 void flush_stdout() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout))
-    throw OutputError(fmt::format("error: cannot write to standard output: {}", std::strerror(errno)));
+    throw OutputError(
+        fmt::format("error: cannot write to standard output: {}", std::strerror(errno)));
 }
 
 TemporaryFolder::TemporaryFolder() {

@@ -1,0 +1,50 @@
+// arboc compile MODEL -o DIR: writes DIR/NAME/.
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "cli/common.h"
+#include "cli/output.h"
+#include "emit/emit.h"
+
+namespace arboc::cli {
+namespace {
+
+void print_stage(const Compilation& compilation, const std::string& stage) {
+  if (stage == "model") fmt::print("{}", print(compilation.model));
+  if (stage == "tree") {
+    for (const CompiledFunction& f : compilation.functions)
+      fmt::print("# {}\n{}", f.signature.name, print(f.tree));
+  }
+  for (const CompiledFunction& f : compilation.functions) {
+    if (stage == "graph") fmt::print("{}", print(f.graph));
+    if (stage == "program") fmt::print("{}", print(f.program));
+  }
+}
+
+}  // namespace
+
+int run_compile(const Common& common, const std::string& out, const std::string& stage) {
+  CompileOptions options = common.compile;
+  options.functions = function_list(common.functions);
+  Diagnostics diagnostics;
+  const Model model = read(common, diagnostics);
+  const Compilation compilation = compile(model, options, diagnostics);
+  print_diagnostics(diagnostics, common.verbose);
+  if (!stage.empty()) print_stage(compilation, stage);
+  if (!out.empty()) {
+    const TargetModel target = arboc::target(compilation, options);
+    check_interrupt();
+    write_folder(out, target.name, emit_cpp(target));
+    if (stage.empty()) {
+      fmt::print("{}/{}\n", out, target.name);
+      for (const TargetFunction& f : target.functions)
+        fmt::print("  {:<8} {:6} operations, {:3} sincos\n", f.signature.name,
+                   f.program.ops.total(), f.program.ops.sincos);
+    }
+  }
+  flush_stdout();
+  return kOk;
+}
+
+}  // namespace arboc::cli

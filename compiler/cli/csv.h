@@ -1,0 +1,15 @@
+// Numbers in and out as comma-separated lines, one state a line, no header.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace arboc::cli {
+
+/// Reads a file whose every line has `columns` numbers.  Throws InputError that names file, line
+/// and remedy.
+std::vector<std::vector<double>> read_csv(const std::string& path, int columns);
+
+/// A line with 17 significant digits a number, which read back exactly.
+std::string csv_line(const std::vector<double>& values);
+
+}  // namespace arboc::cli

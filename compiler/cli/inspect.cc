@@ -1,0 +1,144 @@
+// arboc inspect MODEL: what the model is, without tracing anything unless asked.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/number.h"
+#include "cli/common.h"
+#include "cli/output.h"
+
+namespace arboc::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+double mass(const Model& model) {
+  double sum = 0;
+  for (const Link& link : model.links)
+    if (link.inertial) sum += link.inertial->mass;
+  return sum;
+}
+
+ordered_json finite(double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr); }
+
+ordered_json joint_json(const Model& model, const Coordinates& at, size_t k) {
+  const Joint& joint = model.joints[k];
+  const auto link = [&](int i) {
+    return i < 0 ? std::string("world") : model.links[static_cast<size_t>(i)].name;
+  };
+  ordered_json row{{"name", joint.name},
+                   {"type", name(joint.type)},
+                   {"parent", link(joint.parent)},
+                   {"child", link(joint.child)}};
+  if (nv(joint.type) == 0) return row;
+  row["q"] = at.joint[k].q;
+  row["v"] = at.joint[k].v;
+  row["nq"] = joint.mimic ? 0 : nq(joint.type);
+  row["nv"] = joint.mimic ? 0 : nv(joint.type);
+  if (joint.type != JointType::kFloating) row["axis"] = {joint.axis.x, joint.axis.y, joint.axis.z};
+  row["limits"] = {{"lower", finite(joint.limits.lower)},
+                   {"upper", finite(joint.limits.upper)},
+                   {"velocity", finite(joint.limits.velocity)},
+                   {"effort", finite(joint.limits.effort)}};
+  row["damping"] = joint.damping;
+  row["friction"] = joint.friction;
+  if (joint.mimic)
+    row["mimic"] = {{"joint", model.joints[static_cast<size_t>(joint.mimic->leader)].name},
+                    {"multiplier", joint.mimic->multiplier},
+                    {"offset", joint.mimic->offset}};
+  return row;
+}
+
+ordered_json to_json(const Diagnostic& d) {
+  return {{"severity", d.severity == Severity::kWarning ? "warning" : "note"},
+          {"line", d.location.line},
+          {"column", d.location.column},
+          {"element", d.element},
+          {"message", d.message},
+          {"hint", d.hint}};
+}
+
+ordered_json describe(const Model& model, const Diagnostics& diagnostics) {
+  const Coordinates at = coordinates(model);
+  ordered_json json{{"name", model.name},
+                    {"file", model.file},
+                    {"sha256", model.source_sha256},
+                    {"nq", at.nq},
+                    {"nv", at.nv},
+                    {"mass", mass(model)},
+                    {"gravity", {model.gravity.x, model.gravity.y, model.gravity.z}}};
+  json["links"] = ordered_json::array();
+  for (const Link& link : model.links)
+    json["links"].push_back(
+        {{"name", link.name}, {"mass", link.inertial ? link.inertial->mass : 0.0}});
+  json["joints"] = ordered_json::array();
+  for (size_t k = 0; k < model.joints.size(); ++k)
+    json["joints"].push_back(joint_json(model, at, k));
+  json["warnings"] = ordered_json::array();
+  json["notes"] = ordered_json::array();
+  for (const Diagnostic& d : diagnostics.all())
+    json[d.severity == Severity::kWarning ? "warnings" : "notes"].push_back(to_json(d));
+  return json;
+}
+
+std::string range(const Limits& limits) {
+  if (!std::isfinite(limits.lower) && !std::isfinite(limits.upper)) return "";
+  return fmt::format("[{}, {}]", shortest(limits.lower), shortest(limits.upper));
+}
+
+void print_text(const Model& model) {
+  const Coordinates at = coordinates(model);
+  fmt::print("{} ({}): {} links, {} joints, nq {}, nv {}, mass {} kg\n", printable(model.name),
+             printable(model.file), model.links.size(), model.joints.size(), at.nq, at.nv,
+             shortest(mass(model)));
+  fmt::print("{:>4} {:>4}  {:<11} {:<28} {:<28} {}\n", "q", "v", "type", "joint", "link", "limits");
+  for (size_t k = 0; k < model.joints.size(); ++k) {
+    const Joint& joint = model.joints[k];
+    if (nv(joint.type) == 0) continue;
+    std::string extra = range(joint.limits);
+    if (joint.mimic)
+      extra += fmt::format(" = {} * {} + {}", shortest(joint.mimic->multiplier),
+                           printable(model.joints[static_cast<size_t>(joint.mimic->leader)].name),
+                           shortest(joint.mimic->offset));
+    fmt::print("{:>4} {:>4}  {:<11} {:<28} {:<28} {}\n", at.joint[k].q, at.joint[k].v,
+               name(joint.type), printable(joint.name),
+               printable(model.links[static_cast<size_t>(joint.child)].name), extra);
+  }
+}
+
+}  // namespace
+
+int run_inspect(const Common& common, bool count_ops) {
+  const std::vector<std::string> functions =
+      count_ops ? function_list(common.functions) : std::vector<std::string>{};
+  Diagnostics diagnostics;
+  const Model model = configured(common, read(common, diagnostics), diagnostics);
+  print_diagnostics(diagnostics, common.verbose || !common.json);
+  ordered_json json;
+  if (common.json)
+    json = describe(model, diagnostics);
+  else
+    print_text(model);
+  if (count_ops) {
+    check_size(model, common.compile.max_dof);
+    if (!common.json)
+      fmt::print("{:<10} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", "function", "total", "mul",
+                 "add", "fma", "div", "sqrt", "sincos");
+    for (const std::string& function : functions) {
+      const OpCount n = compile_function(function, model).program.ops;
+      check_interrupt();
+      if (common.json)
+        json["ops"][function] = {{"mul", n.mul}, {"add", n.add},   {"fma", n.fma},
+                                 {"div", n.div}, {"sqrt", n.sqrt}, {"sincos", n.sincos}};
+      else
+        fmt::print("{:<10} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", function, n.total(), n.mul,
+                   n.add, n.fma, n.div, n.sqrt, n.sincos);
+    }
+  }
+  if (common.json) fmt::print("{}\n", json.dump(1, ' ', true));
+  flush_stdout();
+  return kOk;
+}
+
+}  // namespace arboc::cli

@@ -1,0 +1,143 @@
+// arboc: flags -> options -> a subcommand.  Results go to stdout, everything else to stderr.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+#include "base/diagnostic.h"
+#include "cli/common.h"
+#include "emit/emit.h"
+
+namespace arboc::cli {
+namespace {
+
+struct Arguments {
+  Common common;
+  std::string out, stage;
+  bool ops = false;
+  EvalOptions eval;
+  int states = 100;
+};
+
+void add_compile(CLI::App& app, Arguments& args) {
+  CLI::App* sub = app.add_subcommand("compile", "write specialised C++ for a model to DIR/NAME/");
+  add_model_options(*sub, args.common);
+  add_function_option(*sub, args.common);
+  auto* out = sub->add_option("-o,--out", args.out, "folder that becomes the include path")
+                  ->type_name("DIR");
+  auto* print = sub->add_option("--print", args.stage,
+                                "print a stage to stdout: model, tree, graph or program")
+                    ->check(CLI::IsMember({"model", "tree", "graph", "program"}))
+                    ->type_name("STAGE");
+  sub->callback([out, print] {
+    if (out->count() == 0 && print->count() == 0)
+      throw CLI::RequiredError("-o DIR (or --print STAGE)");
+  });
+}
+
+void add_inspect(CLI::App& app, Arguments& args) {
+  CLI::App* sub = app.add_subcommand("inspect", "say what the model is: joints, limits, warnings");
+  add_model_options(*sub, args.common);
+  sub->add_flag("--json", args.common.json, "as JSON");
+  sub->add_option("--ops", args.common.functions,
+                  "trace the functions (default: all) and count their operations")
+      ->expected(0, 1)
+      ->type_name("[LIST]")
+      ->default_str("all");
+  sub->callback([sub, &args] { args.ops = sub->count("--ops") > 0; });
+}
+
+void add_eval(CLI::App& app, Arguments& args) {
+  CLI::App* sub = app.add_subcommand("eval", "evaluate a function on states from CSV files");
+  EvalOptions& e = args.eval;
+  add_model_options(*sub, args.common);
+  sub->add_option("--function", e.function, "function to evaluate")->required()->type_name("F");
+  sub->add_option("--q", e.q, "configurations: one state a line, no header")->type_name("FILE");
+  sub->add_option("--v", e.v, "velocities")->type_name("FILE");
+  sub->add_option("--a", e.a, "accelerations")->type_name("FILE");
+  sub->add_option("--tau", e.tau, "joint forces")->type_name("FILE");
+  sub->add_option("--output", e.output, "print only this output")->type_name("NAME");
+  sub->add_option("--engine", e.engine, "generated, generic or reference")
+      ->check(CLI::IsMember({"generated", "generic", "reference"}))
+      ->capture_default_str()
+      ->type_name("");
+  add_compiler_options(*sub, args.common);
+}
+
+void add_check(CLI::App& app, Arguments& args) {
+  CLI::App* sub = app.add_subcommand(
+      "check", "compare generated code with the reference engine and with differences");
+  add_model_options(*sub, args.common);
+  add_function_option(*sub, args.common);
+  sub->add_option("--states", args.states, "random states")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->type_name("N");
+  add_compiler_options(*sub, args.common);
+}
+
+void add_bench(CLI::App& app, Arguments& args) {
+  CLI::App* sub = app.add_subcommand("bench", "time generated against generic dynamics");
+  add_model_options(*sub, args.common);
+  add_function_option(*sub, args.common);
+  sub->add_flag("--json", args.common.json, "as JSON");
+  add_compiler_options(*sub, args.common);
+}
+
+int dispatch(const CLI::App& app, const Arguments& args) {
+  if (app.got_subcommand("compile")) return run_compile(args.common, args.out, args.stage);
+  if (app.got_subcommand("inspect")) return run_inspect(args.common, args.ops);
+  if (app.got_subcommand("eval")) return run_eval(args.common, args.eval);
+  if (app.got_subcommand("check")) return run_check(args.common, args.states);
+  return run_bench(args.common);
+}
+
+/// Everything that can go wrong, as an exit status.
+int run(CLI::App& app, const Arguments& args) {
+  try {
+    return dispatch(app, args);
+  } catch (const CLI::ParseError& e) {  // an argument that only the subcommand could judge
+    fmt::print(stderr, "arboc: error: {}\n", e.what());
+    return kUsage;
+  } catch (const InputError& e) {
+    if (*e.what()) fmt::print(stderr, "{}\n", e.what());
+    return kInput;
+  } catch (const OutputError& e) {
+    fmt::print(stderr, "{}\n", e.what());
+    return kOutput;
+  } catch (const Interrupted&) {
+    fmt::print(stderr, "interrupted\n");
+    return kInterrupted;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "arboc: internal error: {}\n", e.what());
+    return kInternal;
+  }
+}
+
+}  // namespace
+}  // namespace arboc::cli
+
+int main(int argc, char** argv) {
+  using namespace arboc::cli;
+  std::signal(SIGPIPE, SIG_IGN);
+  catch_interrupt();
+  CLI::App app("arboc compiles the description of an articulated body to specialised C++ dynamics.",
+               "arboc");
+  app.set_version_flag("--version", arboc::version());
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(34);
+  Arguments args;
+  add_compile(app, args);
+  add_inspect(app, args);
+  add_eval(app, args);
+  add_check(app, args);
+  add_bench(app, args);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? kOk : kUsage;
+  }
+  return run(app, args);
+}
