@@ -122,14 +122,14 @@ TEST_P(ReferenceDynamics, KineticEnergyIsThatOfThePoses) {
     double T = 0;
     for (size_t i = 0; i < now.size(); ++i) {
       if (!model.links[i].inertial) continue;
-      const auto& [pose, m, inertia] = *model.links[i].inertial;
-      const Eigen::Vector3d c = to_eigen(pose.xyz);
+      const Inertial& inertial = *model.links[i].inertial;
+      const Eigen::Vector3d c = to_eigen(inertial.origin.xyz);
       const Eigen::Vector3d speed =
           (after[i].p + after[i].R * c - before[i].p - before[i].R * c) / (2 * h);
       const Eigen::Matrix3d W = now[i].R.transpose() * (after[i].R - before[i].R) / (2 * h);
-      const Eigen::Vector3d w =
-          to_eigen(rotation(pose)).transpose() * Eigen::Vector3d(W(2, 1), W(0, 2), W(1, 0));
-      T += m * speed.squaredNorm() / 2 + w.dot(to_eigen(inertia) * w) / 2;
+      const Eigen::Vector3d w = to_eigen(rotation(inertial.origin)).transpose() *
+                                Eigen::Vector3d(W(2, 1), W(0, 2), W(1, 0));
+      T += inertial.mass * speed.squaredNorm() / 2 + w.dot(to_eigen(inertial.inertia) * w) / 2;
     }
     EXPECT_NEAR(reference.kinetic(x.q, x.v), T, 1e-7 * std::max(1.0, T));
   });
@@ -157,9 +157,9 @@ TEST(ReferenceMomentum, ChangesOnlyByWeightWhileNothingPushesTheBase) {
     const auto T = reference.fk(x.q);
     for (size_t i = 0; i < T.size(); ++i) {
       if (!model.links[i].inertial) continue;
-      const auto& [pose, m, inertia] = *model.links[i].inertial;
-      mass += m;
-      moment += m * (T[i].p + T[i].R * to_eigen(pose.xyz));
+      const Inertial& inertial = *model.links[i].inertial;
+      mass += inertial.mass;
+      moment += inertial.mass * (T[i].p + T[i].R * to_eigen(inertial.origin.xyz));
     }
     const Eigen::Vector3d g = to_eigen(model.gravity);
     Eigen::VectorXd weight(6);
