@@ -326,8 +326,8 @@ void ModelBuilder::resolve(Model& model) {
                      {j.location, named("joint", j.name),
                       fmt::format("<{}>: there is no link {}", part, quoted(name))});
     };
-    if (pending.has_parent) j.parent = link_called("parent", pending.parent);
-    if (pending.has_child) j.child = link_called("child", pending.child);
+    if (pending.has_parent && pending.has_ends) j.parent = link_called("parent", pending.parent);
+    if (pending.has_child && pending.has_ends) j.child = link_called("child", pending.child);
     if (j.mimic)
       j.mimic->leader =
           look_up(joint_index, pending.leader, joint_names,

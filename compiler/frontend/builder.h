@@ -22,6 +22,9 @@ class ModelBuilder {
   void start(const Element& element);
   void end(Tag tag, Location where);
 
+  /// A second <parent> or <child> of the joint at hand: its place in the tree is not known.
+  void forget_ends() { joints_.back().has_ends = false; }
+
   /// Whether the type of the joint at hand gives its part `tag` a meaning.
   bool uses(Tag tag) const;
 
@@ -42,6 +45,7 @@ class ModelBuilder {
     Joint joint;
     std::string parent, child, leader;
     bool has_parent = false, has_child = false, has_axis = false, has_limit = false;
+    bool has_ends = true;  // <parent> and <child> are there once, or missing
   };
   struct PendingInertial {
     Inertial inertial;

@@ -111,6 +111,7 @@ bool SchemaReader::is_repeated(const ElementSpec& spec, Location where) {
     parent.seen |= bit;
     return false;
   }
+  if (spec.tag == Tag::kParent || spec.tag == Tag::kChild) builder_.forget_ends();
   const Severity severity =
       builder_.uses(spec.tag) && spec.use == Use::kRead ? parent.severity : Severity::kWarning;
   report(severity, {where, owner_, path() + fmt::format("a second <{}>", spec.name),
@@ -132,7 +133,8 @@ void SchemaReader::open(const ElementSpec& spec, const std::vector<XmlAttribute>
   if (is_part && element.parent == Tag::kJoint && spec.use == Use::kRead &&
       !builder_.uses(spec.tag)) {
     frame.severity = Severity::kWarning;
-    builder_.ignore(fmt::format("<{}> of {} joints", spec.name, builder_.joint_type()));
+    if (spec.tag != Tag::kMimic)  // has a warning of its own
+      builder_.ignore(fmt::format("<{}> of {} joints", spec.name, builder_.joint_type()));
   }
   if (!is_part && (spec.tag == Tag::kLink || spec.tag == Tag::kJoint)) {
     const auto name = std::find_if(attributes.begin(), attributes.end(),

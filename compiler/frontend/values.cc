@@ -20,7 +20,7 @@ std::string remedy(std::string_view text) {
   const std::string word = lower_case(text);
   const auto has = [&](std::string_view part) { return word.find(part) != std::string::npos; };
   if (has("${") || has("$(")) return "expand the file with xacro first";
-  if (has("inf") || has("nan")) return "numbers must be finite";
+  if (has("inf") || has("nan")) return "every number must be finite";
   if (has("0x")) return "write it in decimal";
   if (has(",")) return "separate numbers by blanks and write a decimal point";
   if (has("pi")) return "write the number itself";

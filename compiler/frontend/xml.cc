@@ -125,7 +125,7 @@ class Reader {
     attributes_.clear();
     for (; *attributes != nullptr; attributes += 2)
       attributes_.push_back({attributes[0], attributes[1], where});
-    locate_attributes(tag);
+    if (!attributes_.empty()) locate_attributes(tag);
     handler_.start(name, attributes_, where);
     if (handler_.stopped()) stop();
   }
@@ -162,20 +162,21 @@ class Reader {
         hint = depth_ > 0 ? "the file ends before its elements are closed" : "";
         break;
       case XML_ERROR_INVALID_TOKEN: hint = hint_for_invalid_token(); break;
-      case XML_ERROR_TAG_MISMATCH: hint = "the closing tag here is " + token_here(); break;
+      case XML_ERROR_TAG_MISMATCH: hint = "the closing tag is " + token_here(); break;
       case XML_ERROR_UNDEFINED_ENTITY: hint = "only &lt; &gt; &amp; &quot; &apos; are known"; break;
       case XML_ERROR_JUNK_AFTER_DOC_ELEMENT: hint = "nothing may follow </robot>"; break;
       case XML_ERROR_UNKNOWN_ENCODING:
       case XML_ERROR_INCORRECT_ENCODING: hint = "save the file as UTF-8"; break;
       default: break;
     }
-    refuse(where, fmt::format("not well-formed XML: {}", XML_ErrorString(code)), std::move(hint));
+    const char* what = code == XML_ERROR_INVALID_TOKEN ? "invalid token" : XML_ErrorString(code);
+    refuse(where, fmt::format("not well-formed XML: {}", what), std::move(hint));
   }
 
-  /// "</inertia>": the text from here to the next '>', cut to a readable length.
+  /// "</inertia>" where expat stands at the name, cut to a readable length.
   std::string token_here() const {
     const std::string_view token = text_.substr(offset(), 60);
-    return std::string(token.substr(0, token.find('>') + 1));
+    return fmt::format("</{}>", token.substr(0, token.find('>')));
   }
 
   std::string hint_for_invalid_token() const {
@@ -184,7 +185,7 @@ class Reader {
     if (c == 0) return "a NUL byte";
     if (c >= 0x80) return "bytes that are not UTF-8";
     if (c < 0x20 && !is_blank(text_[i])) return "a control character";
-    if (c == '<' && text_.substr(i, 4) == "<!--") return "'--' inside a comment";
+    if (i >= 2 && text_.substr(i - 2, 2) == "--") return "'--' cannot stand inside a comment";
     if (i > 0 && text_[i - 1] == '=') return "write attribute values between quotes";
     return "";
   }

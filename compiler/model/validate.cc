@@ -15,13 +15,16 @@ size_t at(int index) { return static_cast<size_t>(index); }
 const Link& link(const Model& model, int index) { return model.links[at(index)]; }
 const Joint& joint(const Model& model, int index) { return model.joints[at(index)]; }
 
-/// Links or joints whose name an earlier one has; nameless ones have been reported.
+/// Reports links or joints whose name an earlier one has; nameless ones the front end has reported.
 template <class Item>
 bool names_are_unique(const std::vector<Item>& items, const char* kind, Findings& findings) {
   std::unordered_map<std::string_view, const Item*> first;
   bool unique = true;
   for (const Item& item : items) {
-    if (item.name.empty()) continue;
+    if (item.name.empty()) {
+      unique = false;
+      continue;
+    }
     const auto [known, is_new] = first.emplace(item.name, &item);
     if (is_new) continue;
     unique = false;
