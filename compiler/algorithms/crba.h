@@ -34,7 +34,7 @@ struct CrbaWorkspace {
 
 /// The wrench that gives the subtree a unit acceleration in `component` of (linear, angular).
 template <class T>
-Wrench<T> unit_wrench(const Composite<T>& C, int component) {
+ARBOC_INLINE Wrench<T> unit_wrench(const Composite<T>& C, int component) {
   const T o(0);
   const Vector3<T>& h = C.h;
   const Symmetric3<T>& S = C.Sigma;
@@ -52,8 +52,8 @@ Wrench<T> unit_wrench(const Composite<T>& C, int component) {
 ///   h += h' + m p,   Sigma += E Sigma E^T + h' p^T + p h'^T + m p p^T.
 /// What is constant where p is (m p, m p p^T) meets the parent's own constants first and folds.
 template <class T>
-void add_composite(const Body& body, const JointPose<T>& pose, const Composite<T>& C,
-                   Composite<T>& parent) {
+ARBOC_INLINE void add_composite(const Body& body, const JointPose<T>& pose, const Composite<T>& C,
+                                Composite<T>& parent) {
   const Vector3<T> h = up(body, pose, C.h);
   const Symmetric3<T> S = up(body, pose, C.Sigma);
   const Vector3<T>& p = pose.p;

@@ -9,15 +9,15 @@ namespace arboc {
 template <class T>
 struct FkWorkspace {
   struct Link {
-    Vector3<T> row[3];  ///< of the rotation, world axes from body axes
-    Vector3<T> x;       ///< m, origin in the world
+    Vector3<T> row_x, row_y, row_z;  ///< of the rotation, world axes from body axes
+    Vector3<T> x;                    ///< m, origin in the world
   };
   Poses<T> pose;
   std::vector<Link> link;
 
   explicit FkWorkspace(const DynamicTree& tree) : pose(tree), link(tree.body.size()) {
     const T o(0), one(1);
-    link[0] = {{{one, o, o}, {o, one, o}, {o, o, one}}, {o, o, o}};
+    link[0] = {{one, o, o}, {o, one, o}, {o, o, one}, {o, o, o}};
   }
 };
 
@@ -30,21 +30,27 @@ void fk(const DynamicTree& tree, FkWorkspace<T>& work, const T* q, const std::ve
   for (int i = 1; i <= tree.nb(); ++i) {
     const Body& body = tree.body[i];
     enter_block(q, body.link, "placement");
+    const JointPose<T>& pose = work.pose[i];
     const auto& parent = work.link[body.parent];
     auto& link = work.link[i];
-    const Vector3<T>& p = work.pose[i].p;
-    for (int r = 0; r < 3; ++r) link.row[r] = down(body, work.pose[i], parent.row[r]);
-    link.x =
-        parent.x + Vector3<T>{dot(parent.row[0], p), dot(parent.row[1], p), dot(parent.row[2], p)};
+    link.x = {parent.x.x + dot(parent.row_x, pose.p), parent.x.y + dot(parent.row_y, pose.p),
+              parent.x.z + dot(parent.row_z, pose.p)};
+    link.row_x = down(body, pose, parent.row_x);
+    link.row_y = down(body, pose, parent.row_y);
+    link.row_z = down(body, pose, parent.row_z);
   }
   for (const int k : frames) {
     const Frame& frame = tree.frame[k];
     enter_block(q, frame.name, "frame");
     const auto& link = work.link[frame.body];
-    for (int r = 0; r < 3; ++r) {
-      for (int c = 0; c < 3; ++c) out[3 * r + c] = dot(link.row[r], column(frame.R, c));
-      out[9 + r] = link.x[r] + dot(link.row[r], frame.p);
-    }
+    const auto write_row = [&](const Vector3<T>& row, const T& x, T* rotation, T& position) {
+      for (int c = 0; c < 3; ++c)
+        rotation[c] = row.x * frame.R(0, c) + row.y * frame.R(1, c) + row.z * frame.R(2, c);
+      position = x + dot(row, frame.p);
+    };
+    write_row(link.row_x, link.x.x, out, out[9]);
+    write_row(link.row_y, link.x.y, out + 3, out[10]);
+    write_row(link.row_z, link.x.z, out + 6, out[11]);
     out += 12;
   }
 }

@@ -34,7 +34,7 @@ T rate(const Body& body, const T* v, int d = 0) {
 
 /// Rz(gamma) Rx(alpha) a.
 template <class T>
-Vector3<T> out_of_joint(const Body& body, const Vector3<T>& a) {
+ARBOC_INLINE Vector3<T> out_of_joint(const Body& body, const Vector3<T>& a) {
   return rotate_z(body.gamma, rotate_x(body.alpha, a));
 }
 
@@ -55,7 +55,7 @@ PlanarRotation<T> joint_turn(const Body& body, const T& angle) {
 }
 
 template <class T>
-void update_pose(const Body& body, const T* q, JointPose<T>& pose) {
+ARBOC_INLINE void update_pose(const Body& body, const T* q, JointPose<T>& pose) {
   switch (body.motion) {
     case Motion::kWorld: break;
     case Motion::kRevolute: pose.turn = joint_turn(body, coordinate(body, q)); break;
@@ -79,28 +79,24 @@ void update_pose(const Body& body, const T* q, JointPose<T>& pose) {
   }
 }
 
-// gcc at -O2 would call these and pass their vectors through memory: half of the time of rnea.
-#define ARBOC_INLINE __attribute__((always_inline)) inline
-
 /// E a.
 template <class T>
-ARBOC_INLINE Vector3<T> up(const Body& body, const JointPose<T>& pose, const Vector3<T>& a) {
-  if (body.motion == Motion::kFloating) return out_of_joint(body, rotate_z(pose.turn, pose.Q * a));
+ARBOC_INLINE Vector3<T> up(const Body& body, const JointPose<T>& pose, Vector3<T> a) {
+  if (body.motion == Motion::kFloating) a = pose.Q * a;
   return out_of_joint(body, rotate_z(pose.turn, a));
 }
 /// E^T a.
 template <class T>
 ARBOC_INLINE Vector3<T> down(const Body& body, const JointPose<T>& pose, const Vector3<T>& a) {
-  const Vector3<T> b =
-      rotate_back_z(pose.turn, rotate_back_x(body.alpha, rotate_back_z(body.gamma, a)));
-  return body.motion == Motion::kFloating ? transpose_apply(pose.Q, b) : b;
+  Vector3<T> b = rotate_back_z(pose.turn, rotate_back_x(body.alpha, rotate_back_z(body.gamma, a)));
+  if (body.motion == Motion::kFloating) b = transpose_apply(pose.Q, b);
+  return b;
 }
 /// E A E^T.
 template <class T>
-Symmetric3<T> up(const Body& body, const JointPose<T>& pose, const Symmetric3<T>& A) {
-  const Symmetric3<T> B =
-      congruence_z(pose.turn, body.motion == Motion::kFloating ? congruence(pose.Q, A) : A);
-  return congruence_z(body.gamma, congruence_x(body.alpha, B));
+ARBOC_INLINE Symmetric3<T> up(const Body& body, const JointPose<T>& pose, Symmetric3<T> A) {
+  if (body.motion == Motion::kFloating) A = congruence(pose.Q, A);
+  return congruence_z(body.gamma, congruence_x(body.alpha, congruence_z(pose.turn, A)));
 }
 
 /// The poses of all joints.

@@ -47,8 +47,8 @@ T acceleration(const Body& body, const T* a, int d) {
 
 /// The joint's own motion: body-frame linear velocity l, angular velocity o, and their derivatives.
 template <bool kAccelerated, class T>
-void add_joint_motion(const Body& body, const T* v, const T* a, const Vector3<T>& W,
-                      LinkMotion<T>& motion) {
+ARBOC_INLINE void add_joint_motion(const Body& body, const T* v, const T* a, const Vector3<T>& W,
+                                   LinkMotion<T>& motion) {
   const auto acc = [&](int d) { return acceleration<kAccelerated>(body, a, d); };
   const auto turn = [&](const T& rate_z, const T& acc_z) {
     motion.w.z = W.z + rate_z;
@@ -88,8 +88,8 @@ void add_joint_motion(const Body& body, const T* v, const T* a, const Vector3<T>
 
 /// Motion of a link from its parent's.
 template <bool kAccelerated, class T>
-void advance(const Body& body, const JointPose<T>& pose, const LinkMotion<T>& parent, const T* v,
-             const T* a, LinkMotion<T>& motion) {
+ARBOC_INLINE void advance(const Body& body, const JointPose<T>& pose, const LinkMotion<T>& parent,
+                          const T* v, const T* a, LinkMotion<T>& motion) {
   const Vector3<T> W = down(body, pose, parent.w);
   motion.w = W;
   motion.dw = down(body, pose, parent.dw);

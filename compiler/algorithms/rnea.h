@@ -22,7 +22,7 @@ struct RneaWorkspace {
 
 /// What must act on a body so that it moves like this.
 template <class T>
-Wrench<T> inertial_wrench(const MassMoments& inertia, const LinkMotion<T>& motion) {
+ARBOC_INLINE Wrench<T> inertial_wrench(const MassMoments& inertia, const LinkMotion<T>& motion) {
   const Matrix3<T>& U = motion.U;
   const Symmetric3<double>& S = inertia.Sigma;
   const Vector3<T> h = cast<T>(inertia.h);

@@ -31,7 +31,7 @@ inline int component(Motion motion, int d) {
 
 /// Calls use(d, force) for each coordinate d of the joint: what the joint feels of `wrench`.
 template <class T, class Use>
-void for_each_joint_force(Motion motion, const Wrench<T>& wrench, Use&& use) {
+ARBOC_INLINE void for_each_joint_force(Motion motion, const Wrench<T>& wrench, Use&& use) {
   const Vector3<T>&f = wrench.f, &n = wrench.n;
   switch (motion) {
     case Motion::kWorld: break;

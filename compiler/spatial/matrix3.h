@@ -31,7 +31,7 @@ Matrix3<T> operator*(const Matrix3<T>& A, const Matrix3<T>& B) {
   return C;
 }
 template <class T>
-Vector3<T> operator*(const Matrix3<T>& A, const Vector3<T>& b) {
+ARBOC_INLINE Vector3<T> operator*(const Matrix3<T>& A, const Vector3<T>& b) {
   return {A(0, 0) * b.x + A(0, 1) * b.y + A(0, 2) * b.z,
           A(1, 0) * b.x + A(1, 1) * b.y + A(1, 2) * b.z,
           A(2, 0) * b.x + A(2, 1) * b.y + A(2, 2) * b.z};

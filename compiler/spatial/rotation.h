@@ -17,19 +17,19 @@ struct PlanarRotation {
 };
 
 template <class C, class T>
-Vector3<T> rotate_z(const PlanarRotation<C>& r, const Vector3<T>& a) {
+ARBOC_INLINE Vector3<T> rotate_z(const PlanarRotation<C>& r, const Vector3<T>& a) {
   return {r.c * a.x - r.s * a.y, r.s * a.x + r.c * a.y, a.z};
 }
 template <class C, class T>
-Vector3<T> rotate_back_z(const PlanarRotation<C>& r, const Vector3<T>& a) {
+ARBOC_INLINE Vector3<T> rotate_back_z(const PlanarRotation<C>& r, const Vector3<T>& a) {
   return {r.c * a.x + r.s * a.y, r.c * a.y - r.s * a.x, a.z};
 }
 template <class C, class T>
-Vector3<T> rotate_x(const PlanarRotation<C>& r, const Vector3<T>& a) {
+ARBOC_INLINE Vector3<T> rotate_x(const PlanarRotation<C>& r, const Vector3<T>& a) {
   return {a.x, r.c * a.y - r.s * a.z, r.s * a.y + r.c * a.z};
 }
 template <class C, class T>
-Vector3<T> rotate_back_x(const PlanarRotation<C>& r, const Vector3<T>& a) {
+ARBOC_INLINE Vector3<T> rotate_back_x(const PlanarRotation<C>& r, const Vector3<T>& a) {
   return {a.x, r.c * a.y + r.s * a.z, r.c * a.z - r.s * a.y};
 }
 /// The rotation by the sum of both angles.
@@ -40,14 +40,14 @@ PlanarRotation<T> compose(const PlanarRotation<C>& a, const PlanarRotation<T>& b
 
 /// Rz A Rz^T.
 template <class C, class T>
-Symmetric3<T> congruence_z(const PlanarRotation<C>& r, const Symmetric3<T>& A) {
+ARBOC_INLINE Symmetric3<T> congruence_z(const PlanarRotation<C>& r, const Symmetric3<T>& A) {
   const T u = r.s * (A.xx - A.yy) + r.c * (A.xy + A.xy);
   return {A.xx - r.s * u, A.yy + r.s * u,          A.zz,
           r.c * u - A.xy, r.c * A.xz - r.s * A.yz, r.s * A.xz + r.c * A.yz};
 }
 /// Rx A Rx^T: the same with x, y, z renamed y, z, x.
 template <class C, class T>
-Symmetric3<T> congruence_x(const PlanarRotation<C>& r, const Symmetric3<T>& A) {
+ARBOC_INLINE Symmetric3<T> congruence_x(const PlanarRotation<C>& r, const Symmetric3<T>& A) {
   const T u = r.s * (A.yy - A.zz) + r.c * (A.yz + A.yz);
   return {A.xx,
           A.yy - r.s * u,
@@ -88,14 +88,14 @@ Matrix3<T> rotation_of_quaternion(const T* q) {
 }
 /// A^T b.
 template <class T>
-Vector3<T> transpose_apply(const Matrix3<T>& A, const Vector3<T>& b) {
+ARBOC_INLINE Vector3<T> transpose_apply(const Matrix3<T>& A, const Vector3<T>& b) {
   return {A(0, 0) * b.x + A(1, 0) * b.y + A(2, 0) * b.z,
           A(0, 1) * b.x + A(1, 1) * b.y + A(2, 1) * b.z,
           A(0, 2) * b.x + A(1, 2) * b.y + A(2, 2) * b.z};
 }
 /// A S A^T.
 template <class T>
-Symmetric3<T> congruence(const Matrix3<T>& A, const Symmetric3<T>& S) {
+ARBOC_INLINE Symmetric3<T> congruence(const Matrix3<T>& A, const Symmetric3<T>& S) {
   const Vector3<T> x = S * Vector3<T>{A(0, 0), A(0, 1), A(0, 2)};
   const Vector3<T> y = S * Vector3<T>{A(1, 0), A(1, 1), A(1, 2)};
   const Vector3<T> z = S * Vector3<T>{A(2, 0), A(2, 1), A(2, 2)};

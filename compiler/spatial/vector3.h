@@ -4,6 +4,10 @@
 // against generic dynamics.  Nothing here branches on a value of T.
 #pragma once
 
+/// gcc at -O2 calls some of these functions; vectors then pass through memory, written as three
+/// numbers and read back as a pair and one, and each time the processor waits for the store.
+#define ARBOC_INLINE __attribute__((always_inline)) inline
+
 namespace arboc {
 
 template <class T>
