@@ -11,12 +11,12 @@ namespace arboc {
 template <class T>
 struct MinvWorkspace {
   CrbaWorkspace<T> crba;
-  std::vector<T> M;          ///< nv x nv: L and D in the upper triangle
-  std::vector<T> W;          ///< nv x nv, W(k, j) at row k
-  std::vector<T> V;          ///< W D^-1
-  std::vector<T> D_inverse;  ///< nv
-  std::vector<int> next;     ///< per coordinate the next one of its elimination path, -1: none
-  std::vector<int> body;     ///< per coordinate
+  std::vector<T> M;                    ///< nv x nv: L and D in the upper triangle
+  std::vector<T> W;                    ///< nv x nv, W(k, j) at row k
+  std::vector<T> V;                    ///< W D^-1
+  std::vector<T> D_inverse;            ///< nv
+  std::vector<std::vector<int>> path;  ///< per coordinate its elimination path, itself first
+  std::vector<int> body;               ///< per coordinate
 
   explicit MinvWorkspace(const DynamicTree& tree)
       : crba(tree),
@@ -25,21 +25,27 @@ struct MinvWorkspace {
         V(M.size()),
         D_inverse(tree.nv),
         body(body_of_coordinate(tree)) {
-    for (const auto& row : tree.coupled) next.push_back(row.empty() ? -1 : row.front());
+    for (int k = 0; k < tree.nv; ++k) {
+      path.push_back({k});
+      if (tree.coupled[k].empty()) continue;
+      const std::vector<int>& rest = path[tree.coupled[k].front()];
+      path[k].insert(path[k].end(), rest.begin(), rest.end());
+    }
   }
 };
 
-/// Row k of W = L^-1: x <- L^-T e_k, along the path.
+/// Row k of W = L^-1: x <- L^-T e_k, which is zero outside the path.
 template <class T>
 void invert_row(const DynamicTree& tree, MinvWorkspace<T>& work, int k) {
   const UpperTriangle<T> L{work.M.data(), tree.nv};
   T* x = work.W.data() + static_cast<size_t>(k) * tree.nv;
-  for (int j = k; j >= 0; j = work.next[j]) x[j] = T(0);
-  x[k] = T(1);
-  for (int j = k; j >= 0; j = work.next[j])
-    for (const int i : tree.coupled[j]) x[i] = x[i] - L(i, j) * x[j];
   T* y = work.V.data() + static_cast<size_t>(k) * tree.nv;
-  for (int j = k; j >= 0; j = work.next[j]) y[j] = x[j] * work.D_inverse[j];
+  for (int j = 0; j < tree.nv; ++j) x[j] = y[j] = T(0);
+  x[k] = T(1);
+  for (const int j : work.path[k]) {
+    for (const int i : tree.coupled[j]) x[i] = x[i] - L(i, j) * x[j];
+    y[j] = x[j] * work.D_inverse[j];
+  }
 }
 
 /// q (nq) -> Minv(i, j) for all i <= j; zero where no path is shared.
@@ -56,13 +62,8 @@ void minv(const DynamicTree& tree, MinvWorkspace<T>& work, const T* q, Matrix&& 
     const T* V = work.V.data() + static_cast<size_t>(k) * n;
     for (int i = 0; i <= k; ++i) {
       const T* W = work.W.data() + static_cast<size_t>(i) * n;
-      int a = i, b = k;
-      while (a != b) {
-        int& further = a > b ? a : b;
-        further = work.next[further];
-      }
       T sum(0);
-      for (; a >= 0; a = work.next[a]) sum = sum + W[a] * V[a];
+      for (const int j : work.path[i]) sum = sum + W[j] * V[j];
       Minv(i, k) = sum;
     }
   }
