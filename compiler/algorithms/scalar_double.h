@@ -1,16 +1,4 @@
-// What the algorithms ask of a scalar beyond + - * /, for double.
+// What the algorithms ask of a scalar beyond + - * /: for numbers the runtime's sincos, the very one
+// that generated code calls, so that a comparison of the two engines shows the specialisation only.
 #pragma once
-#include <cmath>
-
-namespace arboc {
-
-inline void sincos(const double& x, double& s, double& c) {
-#ifdef __GLIBC__
-  ::sincos(x, &s, &c);
-#else
-  s = std::sin(x);
-  c = std::cos(x);
-#endif
-}
-
-}  // namespace arboc
+#include "arboc/scalar.hpp"

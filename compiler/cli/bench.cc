@@ -82,11 +82,10 @@ std::string driver(const TargetModel& target, const DynamicTree& tree) {
   int size = 1;
   for (size_t k = 0; k < target.functions.size(); ++k) {
     const TargetFunction& f = target.functions[k];
-    includes += fmt::format("#include \"{0}/{0}_{1}.hpp\"\n", target.name, f.signature.name);
+    includes += fmt::format("#include \"{0}/{0}_{1}_double.cpp\"\n", target.name, f.signature.name);
     cases += case_text(target.name, k, f);
     size = std::max(size, f.signature.outputs.front().rows * f.signature.outputs.front().cols);
   }
-  includes += fmt::format("#include \"{0}/{0}_raw.hpp\"\n", target.name);
   return fill("bench/driver.cpp", {{"name", target.name},
                                    {"includes", includes},
                                    {"tree", tree_text(tree)},
@@ -105,6 +104,7 @@ std::vector<Row> time(const Common& common, const Model& model, const TargetMode
   Files files;
   for (const auto& [path, bytes] : emit_cpp(target)) files[target.name + "/" + path] = bytes;
   for (const std::string& name : embedded_names("generic/")) files[name.substr(8)] = embedded(name);
+  files["arboc/scalar.hpp"] = embedded("runtime/arboc/scalar.hpp");
   files["driver.cpp"] = driver(target, lower(model, {FrameChoice::kAxis, true}));
   const Library library(build_library(common, folder.path(), files, {"driver.cpp"}));
 

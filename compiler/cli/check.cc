@@ -32,14 +32,20 @@ double relative_error(const std::vector<double>& got, const std::vector<double>&
   return error / std::max(scale, 1e-9);
 }
 
+/// f'(0) by a five-point stencil.
+template <class F>
+double derivative(const F& f, double h) {
+  return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h);
+}
+
 /// d/dt (T + V) along the motion (v, a) through q.
 double power(const Reference& reference, const Vector& q, const Vector& v, const Vector& a) {
   const auto energy = [&](double t) {
     const Vector at = reference.integrate(q, t * v + 0.5 * t * t * a);
     return reference.kinetic(at, v + t * a) + reference.potential(at);
   };
-  constexpr double h = 1e-3;
-  return (8 * (energy(h) - energy(-h)) - (energy(2 * h) - energy(-2 * h))) / (12 * h);
+  // Forward dynamics of light links can ask for large accelerations: shorter steps then.
+  return derivative(energy, 1e-3 / (1 + 0.01 * a.cwiseAbs().maxCoeff()));
 }
 
 /// v y against differences, relative to the sizes that meet in it; nothing for functions without.
@@ -64,10 +70,7 @@ std::optional<double> difference_error(const std::string& function, const Refere
     const auto potential = [&](double t) {
       return reference.potential(reference.integrate(s.q, t * s.v));
     };
-    constexpr double h = 1e-3;
-    const double rate =
-        (8 * (potential(h) - potential(-h)) - (potential(2 * h) - potential(-2 * h))) / (12 * h);
-    return compare(vector(results.at("g")), rate);
+    return compare(vector(results.at("g")), derivative(potential, 1e-3));
   }
   const auto inertial = [&](const Vector& a) {
     return power(reference, s.q, s.v, a) - power(reference, s.q, s.v, zero);
