@@ -7,9 +7,11 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "base/number.h"
 #include "model/findings.h"
+#include "model/validate.h"
 
 namespace arboc {
 namespace {
@@ -31,7 +33,7 @@ bool has_axis(JointType type) { return type != JointType::kFixed && type != Join
 /// Not for fixed joints: urdfdom drops theirs.
 bool has_dynamics(const Joint& joint) { return joint.damping != 0 || joint.friction != 0; }
 
-void append_link(const Link& link, size_t index, std::string& out) {
+void append_link(const Link& link, int index, std::string& out) {
   out += fmt::format("<link name=\"l{}\">", index);
   if (link.inertial) {
     const Symmetric3<double>& I = link.inertial->inertia;
@@ -44,7 +46,7 @@ void append_link(const Link& link, size_t index, std::string& out) {
   out += "</link>\n";
 }
 
-void append_joint(const Joint& joint, size_t index, std::string& out) {
+void append_joint(const Joint& joint, int index, std::string& out) {
   out +=
       fmt::format("<joint name=\"j{}\" type=\"{}\">{}<parent link=\"l{}\"/><child link=\"l{}\"/>",
                   index, name(joint.type), origin_text(joint.origin), joint.parent, joint.child);
@@ -63,10 +65,26 @@ void append_joint(const Joint& joint, size_t index, std::string& out) {
   out += "</joint>\n";
 }
 
-std::string minimal_document(const Model& model) {
+/// Links from the root outwards and the joints onto them: a tree by itself.
+struct Part {
+  std::vector<int> links, joints;
+};
+
+Part compared_part(const Model& model) {
+  const std::vector<int> joint_of = joints_onto(model);
+  Part part;
+  for (const int link : outward(model, joint_of)) {
+    if (part.links.size() == kComparedLinks) break;
+    part.links.push_back(link);
+    if (link != model.root) part.joints.push_back(joint_of[static_cast<size_t>(link)]);
+  }
+  return part;
+}
+
+std::string minimal_document(const Model& model, const Part& part) {
   std::string out = "<robot name=\"r\">\n";
-  for (size_t k = 0; k < model.links.size(); ++k) append_link(model.links[k], k, out);
-  for (size_t k = 0; k < model.joints.size(); ++k) append_joint(model.joints[k], k, out);
+  for (const int k : part.links) append_link(model.links[static_cast<size_t>(k)], k, out);
+  for (const int k : part.joints) append_joint(model.joints[static_cast<size_t>(k)], k, out);
   return out + "</robot>\n";
 }
 
@@ -155,38 +173,28 @@ void compare(const Joint& ours, const urdf::Joint& theirs, const std::string& el
   with.equal(ours.mimic->offset, theirs.mimic->offset, "mimic offset");
 }
 
-/// Lets go of the links one by one: their destructor would recurse to the depth of the tree.
-void unlink(urdf::ModelInterface& theirs) {
-  for (auto& [name, link] : theirs.links_) {
-    link->child_links.clear();
-    link->child_joints.clear();
-  }
-}
-
 }  // namespace
 
 void compare_with_urdfdom(const Model& model) {
-  const urdf::ModelInterfaceSharedPtr theirs = urdf::parseURDF(minimal_document(model));
+  const Part part = compared_part(model);
+  const urdf::ModelInterfaceSharedPtr theirs = urdf::parseURDF(minimal_document(model, part));
   if (!theirs) throw std::logic_error("urdfdom refuses the model");
-  const struct Guard {
-    urdf::ModelInterface& model;
-    ~Guard() { unlink(model); }
-  } guard{*theirs};
-
   const Comparison whole("the robot");
-  whole.require(theirs->links_.size() == model.links.size(), "number of links");
-  whole.require(theirs->joints_.size() == model.joints.size(), "number of joints");
+  whole.require(theirs->links_.size() == part.links.size(), "number of links");
+  whole.require(theirs->joints_.size() == part.joints.size(), "number of joints");
   whole.require(theirs->root_link_ && theirs->root_link_->name == fmt::format("l{}", model.root),
                 "root");
-  for (size_t k = 0; k < model.links.size(); ++k) {
+  for (const int k : part.links) {
+    const Link& ours = model.links[static_cast<size_t>(k)];
     const auto link = theirs->getLink(fmt::format("l{}", k));
-    if (!link) throw std::logic_error(fmt::format("urdfdom misses link {}", k));
-    compare(model.links[k], *link, named("link", model.links[k].name));
+    whole.require(link != nullptr, "set of links");
+    compare(ours, *link, named("link", ours.name));
   }
-  for (size_t k = 0; k < model.joints.size(); ++k) {
+  for (const int k : part.joints) {
+    const Joint& ours = model.joints[static_cast<size_t>(k)];
     const auto joint = theirs->getJoint(fmt::format("j{}", k));
-    if (!joint) throw std::logic_error(fmt::format("urdfdom misses joint {}", k));
-    compare(model.joints[k], *joint, named("joint", model.joints[k].name));
+    whole.require(joint != nullptr, "set of joints");
+    compare(ours, *joint, named("joint", ours.name));
   }
 }
 
