@@ -71,6 +71,11 @@ void ModelBuilder::end(Tag tag, Location where) {
     findings_.error({where, named("robot", name_), "it has no <link>"});
 }
 
+void ModelBuilder::ignore(const std::string& what) {
+  constexpr size_t kMostKinds = 100;
+  ++ignored_[ignored_.size() < kMostKinds || ignored_.contains(what) ? what : "of other kinds"];
+}
+
 std::string ModelBuilder::checked_name(const Element& element) {
   const AttributeValue& name = element["name"];
   if (!name.present) return "";

@@ -32,7 +32,7 @@ class ModelBuilder {
   const char* joint_type() const { return arboc::name(joints_.back().joint.type); }
 
   /// Something like "<visual>" or "<limit> of fixed joints" that was read over.
-  void ignore(const std::string& what) { ++ignored_[what]; }
+  void ignore(const std::string& what);
 
   bool stopped() const { return stopped_; }
 

@@ -84,7 +84,7 @@ void SchemaReader::unknown_element(std::string_view name, Location where) {
     return tell(Severity::kError, "<robot> nested in another element",
                 "one file holds one <robot>");
 
-  const std::string meant = nearest(name, names_of(parent.spec->children));
+  const std::string meant = meant_by(name, names_of(parent.spec->children));
   const char* home = home_of(name);
   if (equal_but_for_case(name, meant)) {
     tell(parent.severity, fmt::format("unknown element {}", shown),
@@ -177,7 +177,7 @@ void SchemaReader::read_attribute(const XmlAttribute& attribute, Severity severi
 void SchemaReader::unknown_attribute(const XmlAttribute& attribute, Severity severity,
                                      const Element& element) {
   const std::string message = fmt::format("unknown attribute {}", quoted(attribute.name));
-  const std::string meant = nearest(attribute.name, names_of(element.spec->attributes));
+  const std::string meant = meant_by(attribute.name, names_of(element.spec->attributes));
   if (equal_but_for_case(attribute.name, meant)) {
     report(severity, element.fault(attribute.where, message,
                                    fmt::format("names are case sensitive: write '{}'", meant)));
@@ -202,9 +202,16 @@ void SchemaReader::check_required(Severity severity, const Element& element) {
   }
 }
 
+/// The known word that `word` stands for: beyond many unknown words only by its letters' case.
+std::string SchemaReader::meant_by(std::string_view word,
+                                   const std::vector<std::string_view>& known) {
+  for (const std::string_view candidate : known)
+    if (equal_but_for_case(word, candidate)) return std::string(candidate);
+  return ++unknown_words_ <= kMostWords ? nearest(word, known) : "";
+}
+
 /// Whether `word` is met for the first time; after many words nothing is.
 bool SchemaReader::is_news(std::string word) {
-  constexpr size_t kMostWords = 100;
   return told_.size() < kMostWords && told_.insert(std::move(word)).second;
 }
 
@@ -229,7 +236,6 @@ void SchemaReader::end(Location where) {
 
 void SchemaReader::text(std::string_view piece, Location where) {
   if (frames_.empty() || frames_.back().spec == nullptr || frames_.back().text_reported) return;
-  if (piece.find_first_not_of(" \t\r\n") == std::string_view::npos) return;
   frames_.back().text_reported = true;
   report(Severity::kWarning,
          {where, owner_, path() + fmt::format("text {} is ignored", quoted(piece)),

@@ -26,6 +26,8 @@ class SchemaReader : public XmlHandler {
   bool stopped() const override { return stopped_ || builder_.stopped() || findings_.full(); }
 
  private:
+  static constexpr size_t kMostWords = 100;  // unknown ones that are looked into
+
   /// An open element.
   struct Frame {
     const ElementSpec* spec = nullptr;  // nothing: its inside is skipped
@@ -43,6 +45,7 @@ class SchemaReader : public XmlHandler {
   void read_attribute(const XmlAttribute& attribute, Severity severity, Element& element);
   void unknown_attribute(const XmlAttribute& attribute, Severity severity, const Element& element);
   void check_required(Severity severity, const Element& element);
+  std::string meant_by(std::string_view word, const std::vector<std::string_view>& known);
   bool is_news(std::string word);
   std::string path() const;
   void report(Severity severity, Finding finding) {
@@ -52,7 +55,8 @@ class SchemaReader : public XmlHandler {
   ModelBuilder& builder_;
   Findings& findings_;
   std::vector<Frame> frames_;
-  std::string owner_;           // "joint 'elbow'"
+  std::string owner_;  // "joint 'elbow'"
+  size_t unknown_words_ = 0;
   std::set<std::string> told_;  // unknown words that have been reported
   bool stopped_ = false;
 };

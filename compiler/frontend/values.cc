@@ -39,9 +39,11 @@ bool is_out_of_range(std::string_view text) {
 
 Numbers parse_numbers(std::string_view text, Value kind) {
   constexpr std::string_view kBlanks = " \t\r\n";
+  constexpr size_t kCounted = 100;
   Numbers result;
   size_t count = 0;
-  for (size_t i = text.find_first_not_of(kBlanks); i != std::string_view::npos;) {
+  for (size_t i = text.find_first_not_of(kBlanks);
+       i != std::string_view::npos && count <= kCounted;) {
     const size_t end = std::min(text.find_first_of(kBlanks, i), text.size());
     const std::string_view word = text.substr(i, end - i);
     const auto number = parse_finite(word);
@@ -57,8 +59,10 @@ Numbers parse_numbers(std::string_view text, Value kind) {
     i = text.find_first_not_of(kBlanks, end);
   }
   if (count != numbers_in(kind))
-    result.fault = fmt::format("{} number{} where {} {} needed", count, count == 1 ? "" : "s",
-                               numbers_in(kind), numbers_in(kind) == 1 ? "is" : "are");
+    result.fault = fmt::format(
+        "{} number{} where {} {} needed",
+        count > kCounted ? fmt::format("more than {}", kCounted) : std::to_string(count),
+        count == 1 ? "" : "s", numbers_in(kind), numbers_in(kind) == 1 ? "is" : "are");
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <expat.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -66,6 +67,9 @@ class Reader {
       return refuse({1, 1}, "the file is empty", "");
     if (is_utf16())
       return refuse({1, 1}, "the encoding is UTF-16 or UTF-32", "save the file as UTF-8");
+    if (const size_t tag = overlong_tag(); tag < text_.size())
+      return refuse(locator_.at(tag), "an element has too many attributes",
+                    fmt::format("the limit is {}", kMaxAttributes));
     const auto status =
         XML_Parse(parser_.get(), text_.data(), static_cast<int>(text_.size()), XML_TRUE);
     if (status == XML_STATUS_ERROR && XML_GetErrorCode(parser_.get()) != XML_ERROR_ABORTED)
@@ -88,6 +92,22 @@ class Reader {
     const std::string_view head = text_.substr(0, 4);
     return head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF") ||
            (head.find('\0') != std::string_view::npos && head.find('<') != std::string_view::npos);
+  }
+
+  /// The first tag that may have more than kMaxAttributes attributes, or the end of the text. expat
+  /// would store them all, and slowly, before anyone is asked.
+  size_t overlong_tag() const {
+    constexpr size_t kShortestAttribute = 5;  // a=""
+    size_t next = 0;
+    for (size_t tag = text_.find('<'); tag < text_.size(); tag = next) {
+      next = std::min(text_.find('<', tag + 1), text_.size());
+      if (next - tag < kMaxAttributes * kShortestAttribute || text_.substr(tag, 2) == "<!")
+        continue;
+      const std::string_view piece = text_.substr(tag, next - tag);
+      if (std::count(piece.begin(), piece.end(), '=') > static_cast<long>(kMaxAttributes))
+        return tag;
+    }
+    return text_.size();
   }
 
   size_t offset() const {
@@ -123,8 +143,15 @@ class Reader {
       return;
     }
     attributes_.clear();
-    for (; *attributes != nullptr; attributes += 2)
+    for (; *attributes != nullptr && items_ + attributes_.size() < kMaxItems; attributes += 2)
       attributes_.push_back({attributes[0], attributes[1], where});
+    items_ += 1 + attributes_.size();
+    if (items_ > kMaxItems) {
+      refuse(where, "the document has too many elements and attributes",
+             fmt::format("the limit is {}", kMaxItems));
+      stop();
+      return;
+    }
     if (!attributes_.empty()) locate_attributes(tag);
     handler_.start(name, attributes_, where);
     if (handler_.stopped()) stop();
@@ -137,7 +164,8 @@ class Reader {
   }
 
   void text(std::string_view piece) {
-    if (!stopped_) handler_.text(piece, here());
+    if (!stopped_ && piece.find_first_not_of(" \t\r\n") != std::string_view::npos)
+      handler_.text(piece, here());
   }
 
   void doctype(std::string_view name, bool declares) {
@@ -196,6 +224,7 @@ class Reader {
   Locator locator_;
   std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
   std::vector<XmlAttribute> attributes_;
+  size_t items_ = 0;  // elements and attributes so far
   int depth_ = 0;
   bool stopped_ = false;
 };

@@ -1,7 +1,8 @@
 // XML text -> elements with places, in file order.
 //
 // expat does the parsing: it is conforming, so what is not well-formed is refused.  On top of that
-// a document may not declare entities or refer to other files, and nests at most kMaxDepth deep.
+// a document may not declare entities or refer to other files, nests at most kMaxDepth deep, and
+// has at most kMaxItems elements and attributes, which bounds the time that a hostile file takes.
 #pragma once
 #include <string_view>
 #include <vector>
@@ -11,6 +12,8 @@
 namespace arboc {
 
 constexpr int kMaxDepth = 128;
+constexpr size_t kMaxItems = 2000000;
+constexpr size_t kMaxAttributes = 100000;  // of one element
 
 struct XmlAttribute {
   std::string_view name;
@@ -25,7 +28,7 @@ class XmlHandler {
   virtual void start(std::string_view name, const std::vector<XmlAttribute>& attributes,
                      Location where) = 0;
   virtual void end(Location where) = 0;
-  /// A piece of character data; long or broken text comes in several pieces.
+  /// A piece of character data that is not blank; long text comes in several pieces.
   virtual void text(std::string_view piece, Location where) = 0;
   /// Asked after each element's start: whether reading on is of no use.
   virtual bool stopped() const = 0;

@@ -71,10 +71,34 @@ TEST(Large, ManyUnknownNames) {
 }
 
 TEST(Large, ManyAttributes) {
-  std::string text = "<robot name=\"a\"><link name=\"l\"";
-  for (int k = 0; k < 100000; ++k) text += " a" + std::to_string(k) + "=\"1\"";
-  const Reading reading = try_quickly(text + "/></robot>");
-  EXPECT_TRUE(reading.model) << reading.what;
+  const auto unknown = [](size_t count) {
+    std::string text = "<robot name=\"a\"><link name=\"l\"";
+    for (size_t k = 1; k < count; ++k) text += " a" + std::to_string(k) + "=\"1\"";
+    return text + "/></robot>";
+  };
+  EXPECT_TRUE(try_quickly(unknown(kMaxAttributes)).model);
+  EXPECT_EQ(try_quickly(unknown(kMaxAttributes + 1)).what,
+            "robot.urdf:1:17: error: an element has too many attributes (the limit is 100000)");
+  EXPECT_FALSE(try_quickly(unknown(4000000)).model);
+}
+
+TEST(Large, ManyItems) {
+  const auto skipped = [](size_t count) {  // beside robot, link, gazebo and two names
+    return "<robot name=\"a\"><link name=\"l\"/><gazebo>" +
+           repeated("<x/>", static_cast<int>(count)) + "</gazebo></robot>";
+  };
+  EXPECT_TRUE(try_quickly(skipped(kMaxItems - 5)).model);
+  EXPECT_EQ(try_quickly(skipped(kMaxItems - 4)).what,
+            "robot.urdf:1:8000021: error: the document has too many elements and attributes (the "
+            "limit is 2000000)");
+}
+
+TEST(Large, ManyNumbers) {
+  EXPECT_EQ(try_quickly("<robot name='r'><link name='a'><visual><origin xyz='" +
+                        repeated("1 ", 20000000) + "'/></visual></link></robot>")
+                .messages(),
+            "robot.urdf:1:48: warning: link 'a': <visual>: <origin>: xyz: more than 100 numbers "
+            "where 3 are needed\nrobot.urdf: note: ignored: 1 <visual>\n");
 }
 
 TEST(Large, MimicChain) {
