@@ -1,11 +1,13 @@
 // MuJoCo: the model as an MJCF text, with everything off that would change it.
 //
 // A floating joint is three slides and a ball, a planar one two slides and a hinge, whose
-// translations are along the parent's axes.  Bodies moved by a joint need a mass of their own.
+// translations are along the parent's axes.  Bodies moved by a joint need a mass of their own, and
+// inertias have to be possible.
 #include <mujoco/mujoco.h>
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
@@ -171,10 +173,25 @@ class MujocoPeer : public Peer {
   std::vector<int> index_;  ///< of each degree of freedom in MuJoCo's vectors
 };
 
+/// MuJoCo refuses inertias that no body can have: each principal moment is at most the sum of the
+/// other two.  Its own diagonalisation decides, so that takes a margin.
+bool possible(const Inertial& inertial) {
+  const Symmetric3<double>& S = inertial.inertia;
+  Eigen::Matrix3d I;
+  I << S.xx, S.xy, S.xz, S.xy, S.yy, S.yz, S.xz, S.yz, S.zz;
+  const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(I).eigenvalues();
+  return inertial.mass > 0 && moments[0] > 0 && moments[0] + moments[1] > (1 + 1e-5) * moments[2];
+}
+
 bool supported(const Model& model) {
-  return std::all_of(model.joints.begin(), model.joints.end(), [&](const Joint& joint) {
+  const auto link_possible = [](const Link& link) {
+    return !link.inertial || possible(*link.inertial);
+  };
+  const auto moves_mass = [&](const Joint& joint) {
     return joint.type == JointType::kFixed || model.links[joint.child].inertial;
-  });
+  };
+  return std::all_of(model.links.begin(), model.links.end(), link_possible) &&
+         std::all_of(model.joints.begin(), model.joints.end(), moves_mass);
 }
 
 }  // namespace
