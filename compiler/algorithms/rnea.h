@@ -8,31 +8,68 @@
 
 namespace arboc {
 
+/// Which diagonal entries of U a body needs whatever its moment is: those that meet a non-zero
+/// component of its first moment or of a child's origin.
+struct NeededDiagonal {
+  bool entry[3] = {false, false, false};
+};
+
+inline std::vector<NeededDiagonal> needed_diagonals(const DynamicTree& tree) {
+  std::vector<NeededDiagonal> needed(tree.body.size());
+  for (const Body& body : tree.body) {
+    if (body.motion == Motion::kWorld) continue;
+    NeededDiagonal& own = needed[&body - tree.body.data()];
+    NeededDiagonal& parent = needed[body.parent];
+    for (int k = 0; k < 3; ++k) {
+      own.entry[k] = own.entry[k] || body.inertia.h[k] != 0;
+      const bool slides = body.motion != Motion::kRevolute;
+      parent.entry[k] = parent.entry[k] || body.c[k] != 0 || slides;
+    }
+  }
+  return needed;
+}
+
 template <class T>
 struct RneaWorkspace {
   Poses<T> pose;
   std::vector<LinkMotion<T>> motion;
   std::vector<Wrench<T>> wrench;
+  std::vector<NeededDiagonal> needed;
 
   explicit RneaWorkspace(const DynamicTree& tree)
-      : pose(tree), motion(tree.body.size()), wrench(tree.body.size()) {
+      : pose(tree),
+        motion(tree.body.size()),
+        wrench(tree.body.size()),
+        needed(needed_diagonals(tree)) {
     motion[0] = world_motion<T>(tree);
   }
 };
 
+/// Component i of ax(U Sigma), (i, j, k) cyclic, with d = (Sigma_ij, Sigma_ik, Sigma_jk, Sigma_jj,
+/// Sigma_kk).  Where constants coincide or U's diagonal is not needed otherwise, shorter forms:
+///   U_kj - U_jk = 2 dw_i,   U_kk - U_jj = w_k^2 - w_j^2.
+template <class T>
+ARBOC_INLINE T moment_component(const LinkMotion<T>& motion, const NeededDiagonal& needed, int i,
+                                const double (&d)[5]) {
+  const int j = (i + 1) % 3, k = (i + 2) % 3;
+  const Matrix3<T>& U = motion.U;
+  const Vector3<T>& w = motion.w;
+  const T turning = d[3] == d[4] ? (2 * d[3]) * motion.dw[i] : d[3] * U(k, j) - d[4] * U(j, k);
+  const T stretching = needed.entry[j] && needed.entry[k] ? d[2] * U(k, k) - d[2] * U(j, j)
+                                                          : d[2] * (w[k] * w[k] - w[j] * w[j]);
+  return (d[0] * U(k, i) - d[1] * U(j, i)) + turning + stretching;
+}
+
 /// What must act on a body so that it moves like this.
 template <class T>
-ARBOC_INLINE Wrench<T> inertial_wrench(const MassMoments& inertia, const LinkMotion<T>& motion) {
-  const Matrix3<T>& U = motion.U;
+ARBOC_INLINE Wrench<T> inertial_wrench(const MassMoments& inertia, const LinkMotion<T>& motion,
+                                       const NeededDiagonal& needed) {
   const Symmetric3<double>& S = inertia.Sigma;
   const Vector3<T> h = cast<T>(inertia.h);
-  const Vector3<T> moment{S.xy * U(2, 0) + S.yy * U(2, 1) + S.yz * U(2, 2) -
-                              (S.xz * U(1, 0) + S.yz * U(1, 1) + S.zz * U(1, 2)),
-                          S.xz * U(0, 0) + S.yz * U(0, 1) + S.zz * U(0, 2) -
-                              (S.xx * U(2, 0) + S.xy * U(2, 1) + S.xz * U(2, 2)),
-                          S.xx * U(1, 0) + S.xy * U(1, 1) + S.xz * U(1, 2) -
-                              (S.xy * U(0, 0) + S.yy * U(0, 1) + S.yz * U(0, 2))};
-  return {inertia.m * motion.dv + U * h, moment + cross(h, motion.dv)};
+  const Vector3<T> moment{moment_component(motion, needed, 0, {S.xy, S.xz, S.yz, S.yy, S.zz}),
+                          moment_component(motion, needed, 1, {S.yz, S.xy, S.xz, S.zz, S.xx}),
+                          moment_component(motion, needed, 2, {S.xz, S.yz, S.xy, S.xx, S.yy})};
+  return {inertia.m * motion.dv + motion.U * h, moment + cross(h, motion.dv)};
 }
 
 /// The recursion behind rnea and nle; the poses in the workspace are up to date.
@@ -43,7 +80,7 @@ void newton_euler(const DynamicTree& tree, const Poses<T>& pose, RneaWorkspace<T
     const Body& body = tree.body[i];
     enter_block(q, body.link, "motion");
     advance<kAccelerated>(body, pose[i], work.motion[body.parent], v, a, work.motion[i]);
-    work.wrench[i] = inertial_wrench(body.inertia, work.motion[i]);
+    work.wrench[i] = inertial_wrench(body.inertia, work.motion[i], work.needed[i]);
   }
   for (int k = 0; k < tree.nv; ++k) tau[k] = T(0);
   for (int i = tree.nb(); i > 0; --i) {

@@ -62,6 +62,7 @@ void add_model_options(CLI::App& app, Common& common) {
       ->capture_default_str()
       ->type_name("N")
       ->group("Model");
+  app.add_flag("--strict", common.strict, "take warnings as errors");
   app.add_flag("-v,--verbose", common.verbose, "print each note, and the compiler's command line");
 }
 
@@ -114,7 +115,12 @@ void print_diagnostics(const Diagnostics& diagnostics, bool notes) {
 
 Model read(const Common& common, Diagnostics& diagnostics) {
   try {
-    return read_model(common.path, diagnostics);
+    Model model = read_model(common.path, diagnostics);
+    if (common.strict && diagnostics.warning_count() > 0) {
+      diagnostics.promote_warnings();
+      throw InputError("");
+    }
+    return model;
   } catch (const InputError& e) {
     print_diagnostics(diagnostics, common.verbose);
     if (diagnostics.error_count() > 0) throw InputError("");  // printed already

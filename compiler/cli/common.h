@@ -33,6 +33,7 @@ struct Common {
   std::string functions = "all";
   bool json = false;
   bool verbose = false;
+  bool strict = false;  ///< warnings are errors
   std::string cxx;
   std::string cxxflags = "-std=c++17 -O2 -march=native -fno-tree-vectorize";
 };
