@@ -90,8 +90,10 @@ class DartPeer : public Peer {
     skeleton_->setVelocities(to_dart(v));
     skeleton_->setAccelerations(to_dart(a));
     skeleton_->computeInverseDynamics();
-    const VectorXd forces = skeleton_->getForces();
-    return VectorXd::NullaryExpr(where().nv, [&](Eigen::Index i) { return forces[index_[i]]; });
+    // One by one: a vector made inside DART could not be freed here in a build with sanitizers,
+    // where Eigen allocates in another way.
+    return VectorXd::NullaryExpr(where().nv,
+                                 [&](Eigen::Index i) { return skeleton_->getForce(index_[i]); });
   }
 
   MatrixXd peer_crba(const VectorXd& q) override {
