@@ -119,9 +119,13 @@ Ref Builder::add(Ref a, Ref b) {
     const double value = region_.value(a);
     if (value == 0) return b;
     if (region_.is_constant(b)) return constant(value + region_.value(b));
-    const Node inner = region_[b];
-    if (inner.op == Op::kAdd && region_.is_constant(inner.a))
-      return add(constant(value + region_.value(inner.a.with_sign_of(b))), inner.b.with_sign_of(b));
+    Node inner = region_[b];
+    if (inner.op == Op::kAdd) {
+      if (region_.is_constant(inner.b)) std::swap(inner.a, inner.b);
+      if (region_.is_constant(inner.a))
+        return add(constant(value + region_.value(inner.a.with_sign_of(b))),
+                   inner.b.with_sign_of(b));
+    }
   }
   Ref x = a, y = b;
   const double p = split_factor(x), r = split_factor(y);
