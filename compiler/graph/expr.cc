@@ -2,7 +2,18 @@
 
 #include <cmath>
 
+#include "base/exact_trig.h"
+
 namespace arboc {
+namespace {
+
+/// A constant that enters generated code must not depend on the machine's libm.
+SinCos constant_sincos(double x) {
+  if (std::fabs(x) < 1e9) return exact_sincos(x);
+  return {std::sin(x), std::cos(x)};
+}
+
+}  // namespace
 
 Expr::Expr(Builder* builder, Ref ref) {
   if (builder->region().is_constant(ref)) {
@@ -45,8 +56,9 @@ Expr sqrt(const Expr& x) {
 
 void sincos(const Expr& x, Expr& s, Expr& c) {
   if (x.is_constant()) {
-    s = std::sin(x.value());
-    c = std::cos(x.value());
+    const SinCos value = constant_sincos(x.value());
+    s = value.sin;
+    c = value.cos;
     return;
   }
   Builder& builder = *x.builder();
