@@ -18,7 +18,14 @@ constexpr OpInfo kOps[] = {
 #undef ARBOC_OP
 };
 
+size_t entries(const std::vector<Port>& ports) {
+  size_t sum = 0;
+  for (const Port& port : ports) sum += static_cast<size_t>(port.size);
+  return sum;
+}
+
 void verify(const Region& region) {
+  const size_t inputs = entries(region.inputs);
   const auto fail = [&](size_t n, const char* what) {
     throw std::logic_error(fmt::format("region {}, node {}: {}", region.name, n, what));
   };
@@ -27,10 +34,11 @@ void verify(const Region& region) {
     if (node.block >= region.blocks.size()) fail(n, "unknown block");
     if (node.op == Op::kSum && (node.count < 2 || node.index + node.count > region.terms.size()))
       fail(n, "bad terms");
+    if (node.op == Op::kInput && node.index >= inputs) fail(n, "unknown input");
     if (node.op == Op::kConstant) {
       if (node.index + node.count > region.constants.size()) fail(n, "bad constant");
       for (std::uint32_t i = 0; i < node.count; ++i)
-        if (!(region.constants[node.index + i] >= 0))
+        if (const double c = region.constants[node.index + i]; !std::isfinite(c) || c < 0)
           fail(n, "constant not finite and non-negative");
     }
     for_each_operand(region, node, [&](Ref ref) {
@@ -44,7 +52,8 @@ void verify(const Region& region) {
       throw std::logic_error(
           fmt::format("region {}: output {} has the wrong size", region.name, p));
     for (const Ref ref : region.results[p])
-      if (ref.node() >= region.nodes.size()) throw std::logic_error("result out of range");
+      if (ref.node() >= region.nodes.size())
+        throw std::logic_error(fmt::format("region {}: result out of range", region.name));
   }
 }
 
@@ -63,6 +72,9 @@ std::vector<std::vector<double>> evaluate(const Graph& graph,
   const Region& region = graph.regions.back();
   std::vector<double> in;
   for (const auto& port : inputs) in.insert(in.end(), port.begin(), port.end());
+  if (in.size() != entries(region.inputs))
+    throw std::invalid_argument(fmt::format("region {}: {} input values given, {} needed",
+                                            region.name, in.size(), entries(region.inputs)));
 
   std::vector<double> value(region.nodes.size());
   const auto at = [&](Ref ref) { return ref.negative() ? -value[ref.node()] : value[ref.node()]; };

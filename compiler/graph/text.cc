@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -78,44 +79,66 @@ class Parser {
   Graph run() {
     std::istringstream lines(text_);
     std::string line;
-    Builder builder("region");
     for (int number = 1; std::getline(lines, line); ++number) {
       try {
-        statement(builder, line);
+        statement(line);
       } catch (const std::exception& e) {
         throw std::invalid_argument(fmt::format("line {}: {}: {}", number, line, e.what()));
       }
     }
-    return std::move(builder).finish();
+    finish_region();
+    return std::move(graph_);
   }
 
  private:
-  void statement(Builder& builder, const std::string& line) {
+  void finish_region() {
+    if (!builder_) return;
+    graph_.regions.push_back(std::move(std::move(*builder_).finish().regions[0]));
+    builder_.reset();
+    names_.clear();
+  }
+
+  void statement(const std::string& line) {
     std::istringstream words(line);
-    std::string first;
+    std::string first, equals;
     if (!(words >> first)) return;
     if (first == "region") {
+      finish_region();
       std::string name;
       words >> name;
-      builder = Builder(name);
-    } else if (first == "#") {
-      builder.begin_block(line.substr(line.find("# ") + 2));
-    } else if (first == "in") {
-      std::string name;
-      int size = 0;
-      words >> name >> size;
-      const auto refs = builder.input(name, size);
-      for (int i = 0; i < size; ++i)
-        names_[fmt::format("{}{}", name, i)] = refs[static_cast<size_t>(i)];
-    } else if (first == "out") {
-      std::string name, size, word;
-      words >> name >> size;
-      std::vector<Ref> entries;
-      while (words >> word) entries.push_back(operand(builder, word));
-      builder.output(name, entries);
-    } else {
-      names_[first] = expression(builder, line.substr(line.find('=') + 1));
+      builder_.emplace(name);
+      return;
     }
+    if (!builder_) builder_.emplace("region");
+    if (first == "#") {
+      builder_->begin_block(line.substr(line.find("# ") + 2));
+    } else if (first == "in") {
+      input(words);
+    } else if (first == "out") {
+      output(words);
+    } else {
+      if (!(words >> equals) || equals != "=") throw std::invalid_argument("NAME = EXPRESSION");
+      names_[first] = expression(*builder_, line.substr(line.find('=') + 1));
+    }
+  }
+
+  void input(std::istringstream& words) {
+    std::string name;
+    int size = 0;
+    if (!(words >> name >> size) || size < 0) throw std::invalid_argument("in NAME SIZE");
+    const auto refs = builder_->input(name, size);
+    for (int i = 0; i < size; ++i)
+      names_[fmt::format("{}{}", name, i)] = refs[static_cast<size_t>(i)];
+  }
+
+  void output(std::istringstream& words) {
+    std::string name, size, word;
+    words >> name >> size;
+    std::vector<Ref> entries;
+    while (words >> word) entries.push_back(operand(*builder_, word));
+    if (size != fmt::format("{}:", entries.size()))
+      throw std::invalid_argument("out NAME SIZE: OPERAND ...");
+    builder_->output(name, entries);
   }
 
   Ref operand(Builder& builder, std::string word) {
@@ -136,14 +159,20 @@ class Parser {
       words >> a;
       if (!(words >> op >> b)) return operand(builder, a);
       const Ref x = operand(builder, a), y = operand(builder, b);
-      return op == "+" ? builder.add(x, y) : op == "*" ? builder.mul(x, y) : builder.div(x, y);
+      if (op == "+") return builder.add(x, y);
+      if (op == "*") return builder.mul(x, y);
+      if (op == "/") return builder.div(x, y);
+      throw std::invalid_argument("unknown operation " + op);
     }
     const std::string name =
         text.substr(text.find_first_not_of(' '), open - text.find_first_not_of(' '));
     std::istringstream list(text.substr(open + 1, text.rfind(')') - open - 1));
     if (name == "sum") return sum(builder, list);
     const Ref x = operand(builder, list.str());
-    return name == "sin" ? builder.sin(x) : name == "cos" ? builder.cos(x) : builder.sqrt(x);
+    if (name == "sin") return builder.sin(x);
+    if (name == "cos") return builder.cos(x);
+    if (name == "sqrt") return builder.sqrt(x);
+    throw std::invalid_argument("unknown operation " + name);
   }
 
   Ref sum(Builder& builder, std::istringstream& list) {
@@ -155,10 +184,13 @@ class Parser {
       if (term.product) term.b = operand(builder, item.substr(star + 1));
       terms.push_back(term);
     }
+    if (terms.size() < 2) throw std::invalid_argument("a sum has at least two terms");
     return builder.sum(terms);
   }
 
   const std::string& text_;
+  Graph graph_;
+  std::optional<Builder> builder_;  ///< of the region being read
   std::map<std::string, Ref> names_;
 };
 
