@@ -1,16 +1,15 @@
 // fuse(): the rules, applied to each sum.
 //
 //   1. An addition with one user that is an addition too joins its user; the others are roots:
-//   lists
-//      of signed terms, atoms x or products a b.
+//      lists of signed terms, atoms x or products a b.
 //   2. A product used by sums only is never computed by itself, also when several sums use it: a
 //      fused multiply-add costs what the addition would.
 //   3. A root of nothing but shared products needs one plain product to start with; that one
-//   becomes
-//      an atom of all its sums.
+//      becomes an atom of all its sums.
 #include "passes/fuse.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "graph/builder.h"
 #include "passes/rewrite.h"
@@ -115,8 +114,8 @@ class Fuser {
       case Op::kSqrt: out_[n] = builder_.sqrt(renamed(node.a)); break;
       case Op::kSin: out_[n] = builder_.sin(renamed(node.a)); break;
       case Op::kCos: out_[n] = builder_.cos(renamed(node.a)); break;
-      case Op::kInput:
-      case Op::kSum: break;
+      case Op::kInput: break;
+      case Op::kSum: throw std::logic_error("fuse: the graph has n-ary sums already");
     }
   }
 
