@@ -75,7 +75,42 @@ constexpr std::array kReserved = {"NULL",         "alignas",
                                   "free",         "printf",
                                   "test",         "all",
                                   "install",      "clean",
-                                  "help",         "package"};
+                                  "help",         "package",
+                                  "accept",       "access",
+                                  "alarm",        "bind",
+                                  "canonicalize", "ceil",
+                                  "clock",        "clone",
+                                  "close",        "connect",
+                                  "creat",        "daylight",
+                                  "drem",         "dup",
+                                  "fabs",         "finite",
+                                  "floor",        "fork",
+                                  "frexp",        "gamma",
+                                  "hypot",        "index",
+                                  "initstate",    "j0",
+                                  "j1",           "jn",
+                                  "kill",         "link",
+                                  "listen",       "lround",
+                                  "modf",         "nan",
+                                  "nice",         "obstack",
+                                  "open",         "pause",
+                                  "pipe",         "poll",
+                                  "random",       "rand",
+                                  "read",         "remove",
+                                  "rename",       "rewind",
+                                  "rindex",       "rint",
+                                  "round",        "scalb",
+                                  "select",       "send",
+                                  "setstate",     "shutdown",
+                                  "significand",  "sincos",
+                                  "sleep",        "socket",
+                                  "stat",         "swab",
+                                  "sync",         "system",
+                                  "tan",          "timezone",
+                                  "tm",           "trunc",
+                                  "truncate",     "wait",
+                                  "write",        "y0",
+                                  "y1",           "yn"};
 
 }  // namespace
 
@@ -86,9 +121,9 @@ std::string identifier(std::string_view text) {
     if (next == '_' && (out.empty() || out.back() == '_')) continue;
     out += next;
   }
+  if (out.size() > 64) out.resize(64);
   while (!out.empty() && out.back() == '_') out.pop_back();
   if (out.empty()) return "model";
-  if (out.size() > 64) out.resize(64);
   if (digit(out.front())) out.insert(0, "m");
   if (std::find(kReserved.begin(), kReserved.end(), out) != kReserved.end()) out += "_model";
   return out;
