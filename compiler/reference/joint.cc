@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "base/exact_trig.h"
 #include "reference/eigen.h"
 
 namespace arboc {
@@ -10,8 +11,14 @@ namespace {
 
 Eigen::Quaterniond quaternion(const Eigen::VectorXd& q) { return {q[6], q[3], q[4], q[5]}; }
 
+/// The same bits on every machine where exact_sincos reaches: results are recorded for selftests.
+SinCos sincos(double x) {
+  if (std::fabs(x) < 1e9) return exact_sincos(x);
+  return {std::sin(x), std::cos(x)};
+}
+
 /// sin x / x.
-double sinc(double x) { return std::fabs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
+double sinc(double x) { return std::fabs(x) < 1e-4 ? 1 - x * x / 6 : sincos(x).sin / x; }
 
 /// (1 - cos x) / x^2, without cancellation.
 double versine(double x) { return sinc(x / 2) * sinc(x / 2) / 2; }
@@ -20,7 +27,7 @@ double versine(double x) { return sinc(x / 2) * sinc(x / 2) / 2; }
 double third(double x) {
   const double xx = x * x;
   if (xx < 0.01) return (1 - xx / 20 * (1 - xx / 42 * (1 - xx / 72))) / 6;
-  return (x - std::sin(x)) / (xx * x);
+  return (x - sincos(x).sin) / (xx * x);
 }
 
 Eigen::VectorXd integrate_floating(const Eigen::VectorXd& q, const Eigen::VectorXd& dv) {
@@ -29,7 +36,7 @@ Eigen::VectorXd integrate_floating(const Eigen::VectorXd& q, const Eigen::Vector
   const Eigen::Matrix3d W = spatial6::skew(w);
   const Eigen::Vector3d p = u + versine(angle) * W * u + third(angle) * W * W * u;
   const Eigen::Vector3d half = sinc(angle / 2) / 2 * w;
-  const Eigen::Quaterniond turn(std::cos(angle / 2), half.x(), half.y(), half.z());
+  const Eigen::Quaterniond turn(sincos(angle / 2).cos, half.x(), half.y(), half.z());
   Eigen::VectorXd result(7);
   result.head<3>() = q.head<3>() + quaternion(q).toRotationMatrix() * p;
   result.tail<4>() = (quaternion(q) * turn).coeffs();
@@ -40,7 +47,9 @@ Eigen::VectorXd integrate_planar(const Eigen::VectorXd& q, const Eigen::VectorXd
   const double s = sinc(dv[2]), c = dv[2] * versine(dv[2]);
   const Eigen::Vector2d p(s * dv[0] - c * dv[1], c * dv[0] + s * dv[1]);
   Eigen::VectorXd result = q;
-  result.head<2>() += Eigen::Rotation2Dd(q[2]).toRotationMatrix() * p;
+  const auto [sin, cos] = sincos(q[2]);
+  result[0] += cos * p[0] - sin * p[1];
+  result[1] += sin * p[0] + cos * p[1];
   result[2] += dv[2];
   return result;
 }
@@ -48,7 +57,7 @@ Eigen::VectorXd integrate_planar(const Eigen::VectorXd& q, const Eigen::VectorXd
 }  // namespace
 
 Eigen::Matrix3d rotation_about(const Eigen::Vector3d& axis, double angle) {
-  const double s = std::sin(angle), c = std::cos(angle);
+  const auto [s, c] = sincos(angle);
   return c * Eigen::Matrix3d::Identity() + s * spatial6::skew(axis) +
          (1 - c) * axis * axis.transpose();
 }
