@@ -1,0 +1,69 @@
+// The printed form of every stage for small models: one case file each, so that a change of any
+// stage is seen in review.
+//
+// A case is a model, then sections `--- expected STAGE FUNCTION [floating]` with what
+// `arboc compile --print=STAGE --functions=FUNCTION` prints.  ARBOC_UPDATE=1 rewrites the sections.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "compile.h"
+#include "frontend/urdf.h"
+#include "support/golden.h"
+
+namespace arboc::test {
+namespace {
+
+constexpr const char* kFolder = ARBOC_SOURCE_DIR "/tests/golden/cases";
+constexpr std::string_view kMark = "--- expected ";
+
+std::string printed(const Model& as_read, const std::string& section) {
+  std::istringstream words(section);
+  std::string stage, function, base;
+  words >> stage >> function >> base;
+  CompileOptions options;
+  options.functions = {function};
+  if (base == "floating") options.model.base = Base::kFloating;
+  Diagnostics diagnostics;
+  const Compilation compilation = compile(as_read, options, diagnostics);
+  const CompiledFunction& f = compilation.functions.front();
+  if (stage == "model") return print(compilation.model);
+  if (stage == "tree") return print(f.tree);
+  if (stage == "graph") return print(f.graph);
+  if (stage == "program") return print(f.program);
+  throw std::invalid_argument("unknown stage " + stage);
+}
+
+std::vector<std::string> cases() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder))
+    names.push_back(entry.path().stem());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+class Printed : public testing::TestWithParam<std::string> {};
+
+TEST_P(Printed, Stages) {
+  const std::string path = std::string(kFolder) + "/" + GetParam() + ".txt";
+  const std::string text = read_file(path);
+  size_t at = text.find(kMark);
+  ASSERT_NE(at, std::string::npos);
+  const std::string input = text.substr(0, at);
+  Diagnostics diagnostics;
+  const Model model = parse_urdf(input, GetParam() + ".urdf", diagnostics);
+  std::string now = input;
+  for (; at != std::string::npos; at = text.find(kMark, at + 1)) {
+    const size_t begin = at + kMark.size(), end = text.find('\n', begin);
+    const std::string section = text.substr(begin, end - begin);
+    now += std::string(kMark) + section + "\n" + printed(model, section);
+  }
+  expect_golden(path, now);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, Printed, testing::ValuesIn(cases()),
+                         [](const auto& at) { return at.param; });
+
+}  // namespace
+}  // namespace arboc::test
