@@ -62,6 +62,19 @@ TEST_P(Printed, Stages) {
   expect_golden(path, now);
 }
 
+// The newcomer's page shows real output.
+TEST(Documentation, PipelineShowsWhatIsPrinted) {
+  const std::string page = read_file(ARBOC_SOURCE_DIR "/docs/pipeline.md");
+  const size_t begin = page.find("<robot"), end = page.find("```", begin);
+  ASSERT_NE(end, std::string::npos);
+  Diagnostics diagnostics;
+  const Model model = parse_urdf(page.substr(begin, end - begin), "pendulum.urdf", diagnostics);
+  for (const char* stage : {"model", "tree", "graph", "program"}) {
+    const std::string text = printed(model, std::string(stage) + " rnea");
+    EXPECT_NE(page.find("```\n" + text + "```\n"), std::string::npos) << text;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Cases, Printed, testing::ValuesIn(cases()),
                          [](const auto& at) { return at.param; });
 
