@@ -25,6 +25,13 @@ class Peer {
                        const Eigen::VectorXd& a);
   Eigen::MatrixXd crba(const Eigen::VectorXd& q);
 
+  /// The peer's own calls, for timing: the followers freed and rates as the peer takes them.
+  Eigen::VectorXd native_rnea(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                              const Eigen::VectorXd& a) {
+    return peer_rnea(q, v, a);
+  }
+  Eigen::MatrixXd native_crba(const Eigen::VectorXd& q) { return peer_crba(q); }
+
  protected:
   /// Rates of a floating or planar joint: v_peer = J v, a_peer = J a + Jdot_v.
   struct Rates {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <kdl/tree.hpp>
 #include <kdl/treeidsolver_recursive_newton_euler.hpp>
 
@@ -60,7 +61,12 @@ class KdlPeer : public Peer {
   }
 
   VectorXd peer_rnea(const VectorXd& q, const VectorXd& v, const VectorXd& a) override {
-    return inverse_dynamics(tree(q), kdl(model().gravity), zero_emulated(q), v, a);
+    if (!constant()) return inverse_dynamics(tree(q), kdl(model().gravity), zero_emulated(q), v, a);
+    if (!solver_) {
+      tree_ = tree(q);
+      solver_ = std::make_unique<KDL::TreeIdSolver_RNE>(tree_, kdl(model().gravity));
+    }
+    return solve(*solver_, zero_emulated(q), v, a);
   }
 
   MatrixXd peer_crba(const VectorXd& q) override {
@@ -77,6 +83,17 @@ class KdlPeer : public Peer {
   static VectorXd inverse_dynamics(const KDL::Tree& tree, const KDL::Vector& gravity,
                                    const VectorXd& q, const VectorXd& v, const VectorXd& a) {
     KDL::TreeIdSolver_RNE solver(tree, gravity);
+    return solve(solver, q, v, a);
+  }
+
+  /// No joint is emulated, so one tree serves all configurations.
+  bool constant() const {
+    return std::all_of(model().joints.begin(), model().joints.end(),
+                       [](const Joint& joint) { return nv(joint.type) <= 1; });
+  }
+
+  static VectorXd solve(KDL::TreeIdSolver_RNE& solver, const VectorXd& q, const VectorXd& v,
+                        const VectorXd& a) {
     KDL::JntArray tau(static_cast<unsigned>(v.size()));
     if (solver.CartToJnt(kdl(q), kdl(v), kdl(a), {}, tau) != 0)
       throw std::runtime_error("KDL: " + std::string(solver.strError(solver.getError())));
@@ -157,6 +174,9 @@ class KdlPeer : public Peer {
   }
 
   static std::string link_name(int i) { return fmt::format("link{}", i); }
+
+  KDL::Tree tree_;  ///< the solver refers to it
+  std::unique_ptr<KDL::TreeIdSolver_RNE> solver_;
 };
 
 }  // namespace
