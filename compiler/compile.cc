@@ -10,13 +10,25 @@
 #include "record.h"
 
 namespace arboc {
+namespace {
+
+/// trace(); a complaint begins with the file that it is about.
+Traced trace_of(const Model& model, const std::string& function, const DynamicTree& tree) {
+  try {
+    return trace(function, tree);
+  } catch (const InputError& e) {
+    throw InputError(fmt::format("{}: {}", printable(model.file), e.what()));
+  }
+}
+
+}  // namespace
 
 CompiledFunction compile_function(const std::string& function, const Model& model) {
   CompiledFunction best;
   bool first = true;
   for (const LoweringOptions& lowering : lowerings(function)) {
     DynamicTree tree = lower(model, lowering);
-    Traced traced = trace(function, tree);
+    Traced traced = trace_of(model, function, tree);
     Graph graph = run_passes(std::move(traced.graph));
     Program program = schedule(graph);
     if (!first && program.ops.total() >= best.program.ops.total()) continue;

@@ -5,9 +5,11 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <system_error>
 
 #include "base/diagnostic.h"
 #include "cli/common.h"
+#include "cli/help.h"
 #include "emit/emit.h"
 
 namespace arboc::cli {
@@ -27,10 +29,10 @@ void add_compile(CLI::App& app, Arguments& args) {
   add_function_option(*sub, args.common);
   auto* out = sub->add_option("-o,--out", args.out, "folder that becomes the include path")
                   ->type_name("DIR");
-  auto* print = sub->add_option("--print", args.stage,
-                                "print a stage to stdout: model, tree, graph or program")
-                    ->check(CLI::IsMember({"model", "tree", "graph", "program"}))
-                    ->type_name("STAGE");
+  auto* print =
+      sub->add_option("--print", args.stage, "print a stage to stdout instead of the summary")
+          ->check(quiet(CLI::IsMember({"model", "tree", "graph", "program"})))
+          ->type_name("model|tree|graph|program");
   sub->callback([out, print] {
     if (out->count() == 0 && print->count() == 0)
       throw CLI::RequiredError("-o DIR (or --print STAGE)");
@@ -59,10 +61,11 @@ void add_eval(CLI::App& app, Arguments& args) {
   sub->add_option("--a", e.a, "accelerations")->type_name("FILE");
   sub->add_option("--tau", e.tau, "joint forces")->type_name("FILE");
   sub->add_option("--output", e.output, "print only this output")->type_name("NAME");
-  sub->add_option("--engine", e.engine, "generated, generic or reference")
-      ->check(CLI::IsMember({"generated", "generic", "reference"}))
+  sub->add_option("--engine", e.engine,
+                  "compiled code, the same algorithms in double, or the truth")
+      ->check(quiet(CLI::IsMember({"generated", "generic", "reference"})))
       ->capture_default_str()
-      ->type_name("");
+      ->type_name("generated|generic|reference");
   add_compiler_options(*sub, args.common);
 }
 
@@ -72,7 +75,7 @@ void add_check(CLI::App& app, Arguments& args) {
   add_model_options(*sub, args.common);
   add_function_option(*sub, args.common);
   sub->add_option("--states", args.states, "random states")
-      ->check(CLI::PositiveNumber)
+      ->check(count())
       ->capture_default_str()
       ->type_name("N");
   add_compiler_options(*sub, args.common);
@@ -94,25 +97,28 @@ int dispatch(const CLI::App& app, const Arguments& args) {
   return run_bench(args.common);
 }
 
+int failed(ExitStatus status, const std::string& message) {
+  if (!message.empty()) fmt::print(stderr, "{}\n", message);
+  return status;
+}
+
 /// Everything that can go wrong, as an exit status.
-int run(CLI::App& app, const Arguments& args) {
+int run(CLI::App& app, const Arguments& args, int argc, char** argv) {
   try {
-    return dispatch(app, args);
-  } catch (const CLI::ParseError& e) {  // an argument that only the subcommand could judge
-    fmt::print(stderr, "arboc: error: {}\n", e.what());
+    return parse(app, argc, argv) ? dispatch(app, args) : kOk;
+  } catch (const CLI::ParseError& e) {
+    app.exit(e);
     return kUsage;
   } catch (const InputError& e) {
-    if (*e.what()) fmt::print(stderr, "{}\n", e.what());
-    return kInput;
+    return failed(kInput, e.what());
   } catch (const OutputError& e) {
-    fmt::print(stderr, "{}\n", e.what());
-    return kOutput;
+    return failed(kOutput, e.what());
   } catch (const Interrupted&) {
-    fmt::print(stderr, "interrupted\n");
-    return kInterrupted;
+    return failed(kInterrupted, "interrupted");
+  } catch (const std::system_error& e) {  // of fmt::print and std::filesystem
+    return failed(kOutput, fmt::format("arboc: error: {}", e.what()));
   } catch (const std::exception& e) {
-    fmt::print(stderr, "arboc: internal error: {}\n", e.what());
-    return kInternal;
+    return failed(kInternal, fmt::format("arboc: internal error: {}", e.what()));
   }
 }
 
@@ -125,19 +131,14 @@ int main(int argc, char** argv) {
   catch_interrupt();
   CLI::App app("arboc compiles the description of an articulated body to specialised C++ dynamics.",
                "arboc");
-  app.set_version_flag("--version", arboc::version());
-  app.require_subcommand(1);
-  app.get_formatter()->column_width(34);
+  app.set_version_flag("--version", arboc::version(), "print the version");
+  app.require_subcommand(0, 1);
+  set_help_style(app);
   Arguments args;
   add_compile(app, args);
   add_inspect(app, args);
   add_eval(app, args);
   add_check(app, args);
   add_bench(app, args);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? kOk : kUsage;
-  }
-  return run(app, args);
+  return run(app, args, argc, argv);
 }

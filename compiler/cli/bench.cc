@@ -139,9 +139,7 @@ std::vector<Row> time(const Common& common, const Model& model, const TargetMode
 int run_bench(const Common& common) {
   CompileOptions options = common.compile;
   options.functions = function_list(common.functions);
-  Diagnostics diagnostics;
-  const Compilation compilation = compile(read(common, diagnostics), options, diagnostics);
-  print_diagnostics(diagnostics, common.verbose);
+  const Compilation compilation = compiled(common, options);
   const std::vector<Row> rows = time(common, compilation.model, target(compilation, options));
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   if (!common.json)

@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -28,40 +30,105 @@ std::vector<std::string> words(const std::string& text) {
   return list;
 }
 
-/// A command that runs in the background, its output in a file.
-struct Job {
-  pid_t pid = 0;
-  std::string log;
+/// Commands in the background, each in a process group of its own with its output in a file.
+/// Those that still run at the end are stopped.
+class Jobs {
+ public:
+  /// Files that the commands make for themselves go to `folder`.
+  explicit Jobs(const std::string& folder) : folder_(folder) {}
+  ~Jobs() {
+    for (const Job& job : jobs_) kill(-job.pid, SIGTERM);
+    while (!jobs_.empty()) wait_for_oldest();
+  }
+  Jobs(const Jobs&) = delete;
+  Jobs& operator=(const Jobs&) = delete;
+
+  size_t running() const { return jobs_.size(); }
+  void start(const std::vector<std::string>& command, const std::string& log);
+  /// Waits for the oldest one; throws if it failed, or Interrupted.
+  void finish();
+
+ private:
+  struct Job {
+    pid_t pid = 0;
+    std::string log;
+  };
+
+  int wait_for_oldest() {
+    int status = 0;
+    while (waitpid(jobs_.front().pid, &status, 0) < 0 && errno == EINTR) {
+    }
+    jobs_.pop_front();
+    return status;
+  }
+
+  std::string folder_;
+  std::deque<Job> jobs_;
 };
 
-Job start(const std::vector<std::string>& command, const std::string& log) {
+[[noreturn]] void run(const std::vector<std::string>& command, const std::string& log,
+                      const std::string& folder) {
+  setpgid(0, 0);
+  setenv("TMPDIR", folder.c_str(), 1);
+  const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  dup2(file, STDOUT_FILENO);
+  dup2(file, STDERR_FILENO);
+  std::vector<char*> argv;
+  for (const std::string& word : command) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  execvp(argv[0], argv.data());
+  std::fprintf(stderr, "cannot run %s: %s\n", argv[0], std::strerror(errno));
+  _exit(127);
+}
+
+void Jobs::start(const std::vector<std::string>& command, const std::string& log) {
+  check_interrupt();
   const pid_t pid = fork();
   if (pid < 0)
     throw std::runtime_error(fmt::format("cannot start {}: {}", command[0], std::strerror(errno)));
-  if (pid == 0) {
-    const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    dup2(file, STDOUT_FILENO);
-    dup2(file, STDERR_FILENO);
-    std::vector<char*> argv;
-    for (const std::string& word : command) argv.push_back(const_cast<char*>(word.c_str()));
-    argv.push_back(nullptr);
-    execvp(argv[0], argv.data());
-    std::fprintf(stderr, "cannot run %s: %s\n", argv[0], std::strerror(errno));
-    _exit(127);
-  }
-  return {pid, log};
+  if (pid == 0) run(command, log, folder_);
+  setpgid(pid, pid);  // whichever of the two comes first
+  jobs_.push_back({pid, log});
 }
 
-void finish(const Job& job) {
-  int status = 0;
-  while (waitpid(job.pid, &status, 0) < 0 && errno == EINTR) {
-  }
+void Jobs::finish() {
+  siginfo_t ended;
+  while (waitid(P_PID, static_cast<id_t>(jobs_.front().pid), &ended, WEXITED | WNOWAIT) < 0)
+    check_interrupt();
   check_interrupt();
+  const std::string log = jobs_.front().log;
+  const int status = wait_for_oldest();
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-  std::ifstream in(job.log);
+  std::ifstream in(log);
   std::stringstream text;
   text << in.rdbuf();
   throw std::runtime_error("the C++ compiler failed:\n" + text.str().substr(0, 4000));
+}
+
+struct ProgressLine {
+  ~ProgressLine() { progress_done(); }
+};
+
+/// The compiler and its flags.
+std::vector<std::string> compiler_command(const Common& common) {
+  const char* variable = std::getenv("CXX");
+  std::vector<std::string> command = words(!common.cxx.empty()     ? common.cxx
+                                           : variable && *variable ? variable
+                                                                   : "c++");
+  if (command.empty()) throw CLI::ValidationError("--cxx", "no command");
+  for (const std::string& flag : words(common.cxxflags)) command.push_back(flag);
+  command.emplace_back("-fPIC");
+  return command;
+}
+
+void write_sources(const std::string& folder, const Files& files) {
+  for (const auto& [path, bytes] : files) {
+    const fs::path file = fs::path(folder) / path;
+    fs::create_directories(file.parent_path());
+    std::ofstream out(file, std::ios::binary);
+    if (!(out << bytes).flush())
+      throw OutputError(fmt::format("{}: error: cannot write", printable(file.string())));
+  }
 }
 
 }  // namespace
@@ -80,52 +147,40 @@ void* Library::symbol(const std::string& name) const {
 
 std::string build_library(const Common& common, const std::string& folder, const Files& files,
                           const std::vector<std::string>& sources) {
-  for (const auto& [path, bytes] : files) {
-    fs::create_directories((fs::path(folder) / path).parent_path());
-    std::ofstream(fs::path(folder) / path, std::ios::binary) << bytes;
-  }
-  const char* variable = std::getenv("CXX");
-  std::vector<std::string> compiler = words(!common.cxx.empty()     ? common.cxx
-                                            : variable && *variable ? variable
-                                                                    : "c++");
-  for (const std::string& flag : words(common.cxxflags)) compiler.push_back(flag);
-  compiler.emplace_back("-fPIC");
-
+  write_sources(folder, files);
+  const std::vector<std::string> compiler = compiler_command(common);
   std::vector<std::string> link = compiler;
-  std::vector<Job> jobs;
-  const size_t parallel = std::max(1u, std::thread::hardware_concurrency());
-  size_t done = 0;
-  const auto wait_for = [&](size_t count) {
-    for (; done < count; ++done) {
-      finish(jobs[done]);
-      progress(static_cast<int>(done) + 1, static_cast<int>(sources.size()),
-               "compiled " + sources[done]);
-    }
+  const auto start = [&](Jobs& jobs, const std::vector<std::string>& command,
+                         const std::string& product) {
+    if (common.verbose) fmt::print(stderr, "{}\n", fmt::join(command, " "));
+    jobs.start(command, product + ".log");
   };
-  try {
-    for (const std::string& source : sources) {
-      std::vector<std::string> command = compiler;
-      const std::string object = fmt::format("{}/{}.o", folder, jobs.size());
-      for (const std::string& word : {std::string("-I"), folder, std::string("-c"),
-                                      folder + "/" + source, std::string("-o"), object})
-        command.push_back(word);
-      link.push_back(object);
-      if (common.verbose) fmt::print(stderr, "{}\n", fmt::join(command, " "));
-      if (jobs.size() >= parallel) wait_for(jobs.size() - parallel + 1);
-      jobs.push_back(start(command, object + ".log"));
-    }
-    wait_for(jobs.size());
-  } catch (...) {
-    for (size_t k = done + 1; k < jobs.size(); ++k) waitpid(jobs[k].pid, nullptr, 0);
-    progress_done();
-    throw;
+  const size_t parallel = std::max(1u, std::thread::hardware_concurrency());
+  const ProgressLine line;
+  Jobs jobs(folder);
+  size_t done = 0;
+  const auto finish = [&] {
+    jobs.finish();
+    progress(static_cast<int>(done) + 1, static_cast<int>(sources.size()),
+             "compiled " + sources[done]);
+    ++done;
+  };
+  for (size_t k = 0; k < sources.size(); ++k) {
+    std::vector<std::string> command = compiler;
+    const std::string object = fmt::format("{}/{}.o", folder, k);
+    for (const std::string& word : {std::string("-I"), folder, std::string("-c"),
+                                    folder + "/" + sources[k], std::string("-o"), object})
+      command.push_back(word);
+    link.push_back(object);
+    if (jobs.running() >= parallel) finish();
+    start(jobs, command, object);
   }
-  progress_done();
+  while (jobs.running() > 0) finish();
   const std::string library = folder + "/lib.so";
   for (const std::string& word : {std::string("-shared"), std::string("-o"), library})
     link.push_back(word);
-  if (common.verbose) fmt::print(stderr, "{}\n", fmt::join(link, " "));
-  finish(start(link, library + ".log"));
+  start(jobs, link, library);
+  jobs.finish();
   return library;
 }
 

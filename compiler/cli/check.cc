@@ -104,9 +104,7 @@ struct Worst {
 int run_check(const Common& common, int states) {
   CompileOptions options = common.compile;
   options.functions = function_list(common.functions);
-  Diagnostics diagnostics;
-  const Compilation compilation = compile(read(common, diagnostics), options, diagnostics);
-  print_diagnostics(diagnostics, common.verbose);
+  const Compilation compilation = compiled(common, options);
   const Model& model = compilation.model;
   const GeneratedCode code(common, target(compilation, options));
   const Reference reference(model);

@@ -7,19 +7,41 @@
 #include <cstdio>
 #include <sstream>
 
+#include "base/number.h"
+#include "cli/help.h"
 #include "frontend/read_model.h"
 
 namespace arboc::cli {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t to_clean_up = 0;
+
+extern "C" void on_interrupt(int) {
+  interrupted = 1;
+  if (to_clean_up > 0) return;
+  constexpr char kMessage[] = "interrupted\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, kMessage, sizeof kMessage - 1);
+  _exit(kInterrupted);
+}
+
+/// An angle tolerance; CLI::Range lets nan through.
+std::string check_snap(const std::string& text) {
+  const auto value = parse_finite(text);
+  return value && *value >= 0 && *value <= 0.1 ? "" : "expected 0 to 0.1 (rad), not " + text;
+}
 
 }  // namespace
 
 void catch_interrupt() {
-  std::signal(SIGINT, [](int) { interrupted = 1; });
-  std::signal(SIGTERM, [](int) { interrupted = 1; });
+  struct sigaction action {};
+  action.sa_handler = on_interrupt;  // without SA_RESTART: waiting for a child ends
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
 }
+
+CleanUp::CleanUp() { to_clean_up = to_clean_up + 1; }
+CleanUp::~CleanUp() { to_clean_up = to_clean_up - 1; }
 
 void check_interrupt() {
   if (interrupted) throw Interrupted();
@@ -28,37 +50,32 @@ void check_interrupt() {
 void add_model_options(CLI::App& app, Common& common) {
   app.add_option("model", common.path, "the model file (URDF)")->required()->type_name("MODEL");
   ModelOptions& m = common.compile.model;
-  const std::map<std::string, Base> bases{{"fixed", Base::kFixed}, {"floating", Base::kFloating}};
-  const std::map<std::string, MimicPolicy> mimics{{"follow", MimicPolicy::kFollow},
-                                                  {"independent", MimicPolicy::kIndependent}};
-  const std::map<std::string, JointOrder> orders{{"file", JointOrder::kFile},
-                                                 {"alphabetical", JointOrder::kAlphabetical}};
   app.add_option("--base", m.base, "how the root link is attached to the world")
-      ->transform(CLI::CheckedTransformer(bases).description("fixed|floating"))
+      ->transform(choice({"fixed", "floating"}))
       ->default_str("fixed")
-      ->type_name("")
+      ->type_name("fixed|floating")
       ->group("Model");
   app.add_option("--mimic", m.mimic, "what mimic joints do")
-      ->transform(CLI::CheckedTransformer(mimics).description("follow|independent"))
+      ->transform(choice({"follow", "independent"}))
       ->default_str("follow")
-      ->type_name("")
+      ->type_name("follow|independent")
       ->group("Model");
   app.add_option("--joint-order", m.order, "order among siblings; alphabetical is Pinocchio's")
-      ->transform(CLI::CheckedTransformer(orders).description("file|alphabetical"))
+      ->transform(choice({"file", "alphabetical"}))
       ->default_str("file")
-      ->type_name("")
+      ->type_name("file|alphabetical")
       ->group("Model");
   app.add_option("--name", m.name, "name of the generated code (default: the model's, sanitised)")
       ->type_name("NAME")
       ->group("Model");
   app.add_option("--snap", m.snap,
                  "written angles this close (rad) to a multiple of 15 degrees become it; 0 is off")
-      ->check(CLI::Range(0.0, 0.1))
+      ->check(CLI::Validator(check_snap, ""))
       ->capture_default_str()
       ->type_name("TOL")
       ->group("Model");
   app.add_option("--max-dof", common.compile.max_dof, "refuse to trace larger models")
-      ->check(CLI::PositiveNumber)
+      ->check(count())
       ->capture_default_str()
       ->type_name("N")
       ->group("Model");
@@ -89,16 +106,17 @@ std::vector<std::string> function_list(const std::string& text) {
   std::vector<std::string> names;
   std::istringstream list(text);
   for (std::string name; std::getline(list, name, ',');) {
-    if (!is_function(name)) {
-      std::string known;
-      for (const std::string& n : function_names()) known += " " + n;
-      throw CLI::ValidationError(
-          "--functions", fmt::format("unknown function '{}'; known are{}", printable(name), known));
-    }
+    if (!is_function(name)) throw unknown_function("--functions", name);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   if (names.empty()) throw CLI::ValidationError("--functions", "the list is empty");
   return names;
+}
+
+CLI::ValidationError unknown_function(const std::string& option, const std::string& name) {
+  return CLI::ValidationError(option,
+                              fmt::format("unknown function '{}'; known are {}", printable(name),
+                                          fmt::join(function_names(), ", ")));
 }
 
 void print_diagnostics(const Diagnostics& diagnostics, bool notes) {
@@ -124,6 +142,19 @@ Model read(const Common& common, Diagnostics& diagnostics) {
   } catch (const InputError& e) {
     print_diagnostics(diagnostics, common.verbose);
     if (diagnostics.error_count() > 0) throw InputError("");  // printed already
+    throw;
+  }
+}
+
+Compilation compiled(const Common& common, const CompileOptions& options) {
+  Diagnostics diagnostics;
+  const Model model = read(common, diagnostics);
+  try {
+    Compilation result = compile(model, options, diagnostics);
+    print_diagnostics(diagnostics, common.verbose);
+    return result;
+  } catch (const InputError&) {
+    print_diagnostics(diagnostics, common.verbose);
     throw;
   }
 }

@@ -19,12 +19,22 @@ enum ExitStatus {
   kInterrupted = 130
 };
 
-/// SIGINT arrived; thrown at the next stage boundary.
+/// SIGINT or SIGTERM arrived; thrown at the next stage boundary.
 struct Interrupted {};
 
-/// From now on SIGINT sets a flag that check_interrupt() turns into an exception.
+/// From now on SIGINT and SIGTERM end the program with status 130: at once, or, while there is
+/// something to clean up, by a flag that check_interrupt() turns into an exception.
 void catch_interrupt();
 void check_interrupt();
+
+/// There is something to clean up as long as one of these lives.
+class CleanUp {
+ public:
+  CleanUp();
+  ~CleanUp();
+  CleanUp(const CleanUp&) = delete;
+  CleanUp& operator=(const CleanUp&) = delete;
+};
 
 /// Options and arguments of every subcommand.
 struct Common {
@@ -44,9 +54,14 @@ void add_compiler_options(CLI::App& app, Common& common);
 
 /// `rnea,crba` or `all` -> names; throws CLI::ValidationError for an unknown one.
 std::vector<std::string> function_list(const std::string& text);
+/// The error of an unknown function given to `option`.
+CLI::ValidationError unknown_function(const std::string& option, const std::string& name);
 
 /// Reads the model; prints errors and warnings to stderr.  Throws InputError.
 Model read(const Common& common, Diagnostics& diagnostics);
+
+/// Reads and compiles the model; prints what the stages reported, also if one of them fails.
+Compilation compiled(const Common& common, const CompileOptions& options);
 
 /// configure() as the options say.
 Model configured(const Common& common, const Model& model, Diagnostics& diagnostics);

@@ -27,11 +27,16 @@ void print_stage(const Compilation& compilation, const std::string& stage) {
 int run_compile(const Common& common, const std::string& out, const std::string& stage) {
   CompileOptions options = common.compile;
   options.functions = function_list(common.functions);
-  Diagnostics diagnostics;
-  const Model model = read(common, diagnostics);
-  const Compilation compilation = compile(model, options, diagnostics);
-  print_diagnostics(diagnostics, common.verbose);
-  if (!stage.empty()) print_stage(compilation, stage);
+  if (stage == "model" && out.empty()) {  // also of a model that cannot be compiled
+    Diagnostics diagnostics;
+    const Model model = configured(common, read(common, diagnostics), diagnostics);
+    print_diagnostics(diagnostics, common.verbose);
+    fmt::print("{}", print(model));
+    flush_stdout();
+    return kOk;
+  }
+  const Compilation compilation = compiled(common, options);
+  print_stage(compilation, stage);
   if (!out.empty()) {
     const TargetModel target = arboc::target(compilation, options);
     check_interrupt();

@@ -98,12 +98,9 @@ Engine make_engine(const std::string& name, const Common& common, const CompileO
 
 int run_eval(const Common& common, const EvalOptions& eval) {
   CompileOptions options = common.compile;
-  if (!is_function(eval.function)) function_list(eval.function);  // throws, naming the known ones
+  if (!is_function(eval.function)) throw unknown_function("--function", eval.function);
   options.functions = {eval.function};
-  Diagnostics diagnostics;
-  const Model model = read(common, diagnostics);
-  const Compilation compilation = compile(model, options, diagnostics);
-  print_diagnostics(diagnostics, common.verbose);
+  const Compilation compilation = compiled(common, options);
   const CompiledFunction& f = compilation.functions.front();
   bool known = eval.output.empty();
   for (const Argument& a : f.signature.outputs) known = known || a.name == eval.output;
@@ -115,6 +112,7 @@ int run_eval(const Common& common, const EvalOptions& eval) {
   if (states.front().contains("q")) warn_about_quaternions(compilation.model, states);
   const Engine engine = make_engine(eval.engine, common, options, compilation);
   for (const Values& state : states) {
+    check_interrupt();
     const Values results = engine(state);
     std::vector<double> line;
     for (const Argument& a : f.signature.outputs) {

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/diagnostic.h"
+#include "cli/common.h"
 
 namespace arboc::cli {
 namespace fs = std::filesystem;
@@ -61,7 +62,8 @@ std::vector<std::string> listed_files(const fs::path& manifest) {
   if (!json.is_object() || !json.contains("files") || !json["files"].is_object()) return files;
   for (const auto& [path, hash] : json["files"].items()) {
     const fs::path p(path);
-    if (p.is_relative() && p.lexically_normal() == p && *p.begin() != "..") files.push_back(path);
+    if (!p.empty() && p.is_relative() && p.lexically_normal() == p && *p.begin() != "..")
+      files.push_back(path);
   }
   return files;
 }
@@ -81,6 +83,7 @@ class Staging {
   const fs::path& path() const { return path_; }
 
  private:
+  CleanUp pending_;
   fs::path path_;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "cli/common.h"
 #include "emit/target.h"
 
 namespace arboc::cli {
@@ -25,6 +26,7 @@ class TemporaryFolder {
   const std::string& path() const { return path_; }
 
  private:
+  CleanUp pending_;
   std::string path_;
 };
 
