@@ -99,7 +99,7 @@ std::string sparsity(const TargetModel& model) {
 std::string eigen_type(const TargetModel& model, const Argument& a) {
   if (a.name == "q") return "Config";
   if (a.cols == 1 && a.rows == model.nv) return "Tangent";
-  if (a.rows == model.nv && a.cols == model.nv) return "Matrix";
+  if (a.symmetric) return "Matrix";
   return fmt::format("Eigen::Matrix<double, {}, {}, Eigen::RowMajor>", a.rows, a.cols);
 }
 
@@ -120,11 +120,10 @@ std::string eigen_function(const TargetModel& model, const TargetFunction& f) {
     out += fmt::format("/// `status`, if given, receives what raw::{} returns.\n", s.name);
   out += fmt::format("inline {} {}({}{}) {{\n", type, s.name, inputs,
                      checked ? ", int* status = nullptr" : "");
-  const std::string call = fmt::format("raw::{}<double>({}", s.name, data);
+  const std::string call =
+      fmt::format("{}raw::{}<double>({}", checked ? "const int failed = " : "", s.name, data);
   if (f.patterns.front().row.empty()) {
-    out += fmt::format("  {} {};\n  {}{}{}.data());\n", type, result.name,
-                       checked ? "const int failed = " : "", call, result.name);
-    if (checked) out += "  if (status) *status = failed;\n";
+    out += fmt::format("  {} {};\n  {}{}.data());\n", type, result.name, call, result.name);
   } else {
     const std::string nnz = fmt::format("sparsity::{}_{}", s.name, result.name);
     out += fmt::format("  double entries[{0}_nnz];\n  {1}entries);\n", nnz, call);
@@ -136,6 +135,7 @@ std::string eigen_function(const TargetModel& model, const TargetFunction& f) {
       out += fmt::format("    {1}({0}_col[k], {0}_row[k]) = entries[k];\n", nnz, result.name);
     out += "  }\n";
   }
+  if (checked) out += "  if (status) *status = failed;\n";
   return out + fmt::format("  return {};\n}}\n\n", result.name);
 }
 

@@ -2,115 +2,41 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
 namespace arboc {
 namespace {
 
 bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Keywords of C11 and C++20, common macros, and the names that generated code uses itself.
-constexpr std::array kReserved = {"NULL",         "alignas",
-                                  "alignof",      "and",
-                                  "and_eq",       "arboc",
-                                  "asm",          "atomic_cancel",
-                                  "auto",         "bitand",
-                                  "bitor",        "bool",
-                                  "break",        "case",
-                                  "catch",        "char",
-                                  "char16_t",     "char32_t",
-                                  "char8_t",      "class",
-                                  "co_await",     "co_return",
-                                  "co_yield",     "compl",
-                                  "concept",      "const",
-                                  "const_cast",   "consteval",
-                                  "constexpr",    "constinit",
-                                  "continue",     "decltype",
-                                  "default",      "delete",
-                                  "do",           "double",
-                                  "dynamic_cast", "else",
-                                  "enum",         "errno",
-                                  "explicit",     "export",
-                                  "extern",       "false",
-                                  "float",        "for",
-                                  "friend",       "goto",
-                                  "if",           "inline",
-                                  "int",          "linux",
-                                  "long",         "main",
-                                  "mutable",      "namespace",
-                                  "new",          "noexcept",
-                                  "not",          "not_eq",
-                                  "nullptr",      "operator",
-                                  "or",           "or_eq",
-                                  "private",      "protected",
-                                  "public",       "raw",
-                                  "register",     "reinterpret_cast",
-                                  "requires",     "restrict",
-                                  "return",       "short",
-                                  "signed",       "sizeof",
-                                  "static",       "static_assert",
-                                  "static_cast",  "std",
-                                  "struct",       "switch",
-                                  "template",     "this",
-                                  "thread_local", "throw",
-                                  "true",         "try",
-                                  "typedef",      "typeid",
-                                  "typename",     "typeof",
-                                  "union",        "unix",
-                                  "unsigned",     "using",
-                                  "virtual",      "void",
-                                  "volatile",     "wchar_t",
-                                  "while",        "xor",
-                                  "xor_eq",       "Eigen",
-                                  "i386",         "assert",
-                                  "signal",       "stdin",
-                                  "stdout",       "stderr",
-                                  "abs",          "exp",
-                                  "log",          "sin",
-                                  "cos",          "sqrt",
-                                  "pow",          "div",
-                                  "time",         "exit",
-                                  "free",         "printf",
-                                  "test",         "all",
-                                  "install",      "clean",
-                                  "help",         "package",
-                                  "accept",       "access",
-                                  "alarm",        "bind",
-                                  "canonicalize", "ceil",
-                                  "clock",        "clone",
-                                  "close",        "connect",
-                                  "creat",        "daylight",
-                                  "drem",         "dup",
-                                  "fabs",         "finite",
-                                  "floor",        "fork",
-                                  "frexp",        "gamma",
-                                  "hypot",        "index",
-                                  "initstate",    "j0",
-                                  "j1",           "jn",
-                                  "kill",         "link",
-                                  "listen",       "lround",
-                                  "modf",         "nan",
-                                  "nice",         "obstack",
-                                  "open",         "pause",
-                                  "pipe",         "poll",
-                                  "random",       "rand",
-                                  "read",         "remove",
-                                  "rename",       "rewind",
-                                  "rindex",       "rint",
-                                  "round",        "scalb",
-                                  "select",       "send",
-                                  "setstate",     "shutdown",
-                                  "significand",  "sincos",
-                                  "sleep",        "socket",
-                                  "stat",         "swab",
-                                  "sync",         "system",
-                                  "tan",          "timezone",
-                                  "tm",           "trunc",
-                                  "truncate",     "wait",
-                                  "write",        "y0",
-                                  "y1",           "yn"};
+/// Keywords of C11 and C++20, common macros, names that generated code or its build uses, and
+/// functions that the headers of the C library declare.
+constexpr std::string_view kReserved = R"(
+ Eigen NULL abort abs accept access acos alarm alignas alignof all and and_eq arboc asctime asin
+ asm assert atan atomic_cancel auto basename bind bitand bitor bool break brk calloc
+ canonicalize case catch ceil char char16_t char32_t char8_t class clean clock clone close
+ co_await co_return co_yield compl concept confstr connect const const_cast consteval constexpr
+ constinit continue cos cosh creat crypt ctime daemon daylight decltype default delete div do
+ double drem dup dynamic_cast else enum erf errno exit exp exp2 explicit export extern fabs
+ false finite float floor fma fmod fopen for fork free frexp friend gamma getenv gets goto help
+ hypot i386 if index initstate inline install int j0 j1 jn kill ldexp lgamma link linux listen
+ localtime log logb long lround lseek main malloc memcpy mkdir modf mutable namespace nan new
+ nice noexcept not not_eq nullptr obstack open operator or or_eq package pause perror pipe poll
+ pow printf private protected public puts rand random raw read realloc recv register
+ reinterpret_cast remainder remove rename requires restrict return rewind rindex rint round
+ scalb select send setenv setstate short shutdown signal signed significand sin sincos sinh
+ sizeof sleep socket sparsity sqrt stat static static_assert static_cast std stderr stdin stdout
+ strlen struct swab switch sync system tan tanh template test tgamma this thread_local throw
+ time timezone tm tmpfile true trunc truncate try typedef typeid typename typeof ungetc union
+ unix unsigned using utime virtual void volatile wait wchar_t while write xor xor_eq y0 y1 yn )";
+
+bool reserved(std::string_view name) {
+  for (size_t at = kReserved.find(name); at != std::string_view::npos;
+       at = kReserved.find(name, at + 1)) {
+    const char before = kReserved[at - 1], after = kReserved[at + name.size()];
+    if ((before == ' ' || before == '\n') && (after == ' ' || after == '\n')) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -125,7 +51,7 @@ std::string identifier(std::string_view text) {
   while (!out.empty() && out.back() == '_') out.pop_back();
   if (out.empty()) return "model";
   if (digit(out.front())) out.insert(0, "m");
-  if (std::find(kReserved.begin(), kReserved.end(), out) != kReserved.end()) out += "_model";
+  if (reserved(out)) out += "_model";
   return out;
 }
 

@@ -7,6 +7,7 @@
 
 #include "@name@_raw.hpp"
 
+namespace @name@_selftest {
 namespace {
 
 constexpr int kStates = @states@;
@@ -35,8 +36,11 @@ void worst(double& error, double candidate) {
   if (!(candidate <= error)) error = candidate;
 }
 
-}  // namespace
-
-int main() {
+int run() {
 @checks@  return failures == 0 ? 0 : 1;
 }
+
+}  // namespace
+}  // namespace @name@_selftest
+
+int main() { return @name@_selftest::run(); }
