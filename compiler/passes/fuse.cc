@@ -6,6 +6,7 @@
 //      fused multiply-add costs what the addition would.
 //   3. A root of nothing but shared products needs one plain product to start with; that one
 //      becomes an atom of all its sums.
+//   4. The constants of a root are one, and a term and its opposite are none.
 #include "passes/fuse.h"
 
 #include <algorithm>
@@ -119,22 +120,48 @@ class Fuser {
     }
   }
 
-  Ref rebuild_sum(size_t n) {
-    struct Sorted {
-      Term term;
-      int depth;
-    };
+  struct Sorted {
+    Term term;
+    int depth;
+  };
+
+  /// Rules 1 and 4.
+  std::vector<Sorted> terms_of(size_t n) {
     std::vector<Sorted> terms;
+    double constant = 0;
     depth_[n] = 0;
     for (const Ref old : sums_[n]) {
       const Node& node = in_[old];
+      if (node.op == Op::kConstant) {
+        constant += in_.value(old);
+        continue;
+      }
       Sorted item{{renamed(old), Ref(), false}, depth_[old.node()]};
       if (is_term(old.node())) {
         const Ref a = renamed(node.a), b = renamed(node.b);
         item.term = {a.with_sign_of(b).with_sign_of(old), b.positive(), true};
       }
       depth_[n] = std::max(depth_[n], item.depth + 1);
-      terms.push_back(item);
+      const auto opposite = std::find_if(terms.begin(), terms.end(), [&](const Sorted& x) {
+        return x.term.a == -item.term.a && x.term.product == item.term.product &&
+               x.term.b == item.term.b;
+      });
+      if (opposite == terms.end())
+        terms.push_back(item);
+      else
+        terms.erase(opposite);
+    }
+    if (constant != 0)
+      terms.insert(terms.begin(), {{builder_.constant(constant), Ref(), false}, 0});
+    return terms;
+  }
+
+  Ref rebuild_sum(size_t n) {
+    std::vector<Sorted> terms = terms_of(n);
+    if (terms.empty()) return builder_.constant(0);
+    if (terms.size() == 1) {
+      const Term& only = terms[0].term;
+      return only.product ? builder_.mul(only.a, only.b) : only.a;
     }
     std::stable_sort(terms.begin(), terms.end(), [](const Sorted& x, const Sorted& y) {
       if (x.term.product != y.term.product) return y.term.product;
