@@ -1,0 +1,147 @@
+// The generic engine and the traced graph against the reference engine: every function, every
+// lowering, on the project's models, on public robots where they are at hand, on random models.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "passes/passes.h"
+#include "support/engines.h"
+#include "support/oracle.h"
+#include "support/random_model.h"
+
+namespace arboc::test {
+namespace {
+
+/// What a traced function's results are, dense: as generated code scatters them.
+std::vector<double> dense(const Traced& traced, const Signature& signature,
+                          const std::vector<std::vector<double>>& results) {
+  const Argument& a = signature.outputs.front();
+  const Pattern& pattern = traced.patterns.front();
+  if (!a.symmetric) return results.front();
+  std::vector<double> out(static_cast<size_t>(a.rows) * static_cast<size_t>(a.cols));
+  for (size_t k = 0; k < pattern.row.size(); ++k) {
+    const auto row = static_cast<size_t>(pattern.row[k]), col = static_cast<size_t>(pattern.col[k]);
+    const auto n = static_cast<size_t>(a.cols);
+    out[row * n + col] = out[col * n + row] = results.front()[k];
+  }
+  return out;
+}
+
+void expect_agreement(const Model& model, int states) {
+  const Reference reference(model);
+  for (const std::string& function : functions_of(model)) {
+    for (const LoweringOptions& lowering : lowerings(function)) {
+      SCOPED_TRACE(function + (lowering.frames == FrameChoice::kAxis ? ", axis" : ", denavit"));
+      const DynamicTree tree = lower(model, lowering);
+      const Signature s = signature(function, tree);
+      Traced traced = trace(function, tree);
+      traced.graph = run_passes(std::move(traced.graph));
+      Random random(11);
+      for (int k = 0; k < states; ++k) {
+        const State state = random_state(model, random);
+        const Values in = inputs_of(state);
+        const std::string& output = s.outputs.front().name;
+        const auto expected = evaluate_reference(function, model, reference, in).at(output);
+        const double allowed = tolerance(function, reference, state);
+        EXPECT_LE(relative_error(evaluate_generic(function, tree, in).at(output), expected),
+                  allowed)
+            << "generic, state " << k;
+        std::vector<std::vector<double>> arguments;
+        for (const Argument& a : s.inputs) arguments.push_back(in.at(a.name));
+        const auto results = dense(traced, s, evaluate(traced.graph, arguments));
+        EXPECT_LE(relative_error(results, expected), allowed) << "graph, state " << k;
+      }
+    }
+  }
+}
+
+struct Case {
+  const char* name;
+  Base base = Base::kFixed;
+  MimicPolicy mimic = MimicPolicy::kFollow;
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
+class OwnModels : public testing::TestWithParam<Case> {};
+
+TEST_P(OwnModels, Agree) {
+  ModelOptions options;
+  options.base = GetParam().base;
+  options.mimic = GetParam().mimic;
+  expect_agreement(own_model(GetParam().name, options), 3);
+}
+
+constexpr auto kFloating = Base::kFloating;
+constexpr Case kCases[] = {{"double_pendulum"},
+                           {"double_pendulum", kFloating},
+                           {"ur5"},
+                           {"ur5", kFloating},
+                           {"arm7"},
+                           {"arm7", kFloating},
+                           {"all_joints"},
+                           {"all_joints", kFloating},
+                           {"all_joints", kFloating, MimicPolicy::kIndependent},
+                           {"quadruped"},
+                           {"quadruped", kFloating},
+                           {"humanoid", kFloating}};
+
+INSTANTIATE_TEST_SUITE_P(Models, OwnModels, testing::ValuesIn(kCases), [](const auto& c) {
+  return std::string(c.param.name) + (c.param.base == kFloating ? "_floating" : "") +
+         (c.param.mimic == MimicPolicy::kIndependent ? "_independent" : "");
+});
+
+class PublicRobots : public testing::TestWithParam<OracleRobot> {};
+
+TEST_P(PublicRobots, Agree) {
+  const std::string path = oracle_urdf(GetParam());
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here";
+  ModelOptions options;
+  options.base = GetParam().base;
+  expect_agreement(model_from(path, options), 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, PublicRobots, testing::ValuesIn(oracle_robots()),
+                         [](const auto& robot) { return std::string(robot.param.name); });
+
+class RandomModels : public testing::TestWithParam<Base> {
+ protected:
+  static void expect_all_agree(RandomModelOptions options, int models) {
+    options.base = GetParam();
+    for (const std::uint64_t seed : seeds(models)) {
+      const Model model = random_model(seed, options);
+      if (coordinates(model).nv == 0) continue;
+      SCOPED_TRACE("ARBOC_SEED=" + std::to_string(seed) + "\n" + print(model));
+      expect_agreement(model, 2);
+      if (HasFailure()) return;
+    }
+  }
+};
+
+TEST_P(RandomModels, OfEveryJointTypeAgree) { expect_all_agree({}, 30); }
+
+TEST_P(RandomModels, OfManyJointsAgree) {
+  RandomModelOptions options;
+  options.joints = 30;
+  expect_all_agree(options, 4);
+}
+
+TEST_P(RandomModels, WithoutMimicJointsAgree) {
+  RandomModelOptions options;
+  options.mimic = false;
+  expect_all_agree(options, 20);
+}
+
+TEST_P(RandomModels, WithMasslessLeavesAgree) {
+  RandomModelOptions options;
+  options.massless_leaves = true;
+  expect_all_agree(options, 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Bases, RandomModels, testing::Values(Base::kFixed, Base::kFloating),
+                         [](const auto& base) {
+                           return base.param == Base::kFixed ? "Fixed" : "Floating";
+                         });
+
+}  // namespace
+}  // namespace arboc::test
