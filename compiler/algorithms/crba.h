@@ -32,6 +32,13 @@ struct CrbaWorkspace {
   explicit CrbaWorkspace(const DynamicTree& tree) : pose(tree), composite(tree.body.size()) {}
 };
 
+/// That of a body alone.
+template <class T>
+Composite<T> own_composite(const MassMoments& I) {
+  const Symmetric3<double>& S = I.Sigma;
+  return {T(I.m), cast<T>(I.h), {T(S.xx), T(S.yy), T(S.zz), T(S.xy), T(S.xz), T(S.yz)}};
+}
+
 /// The wrench that gives the subtree a unit acceleration in `component` of (linear, angular).
 template <class T>
 ARBOC_INLINE Wrench<T> unit_wrench(const Composite<T>& C, int component) {
@@ -91,11 +98,7 @@ void composite_bodies(const DynamicTree& tree, const Poses<T>& pose,
     M(j, j) = T(0);
     for (const int i : tree.coupled[j]) M(i, j) = T(0);
   }
-  for (int i = 1; i <= tree.nb(); ++i) {
-    const MassMoments& I = tree.body[i].inertia;
-    const Symmetric3<double>& S = I.Sigma;
-    composite[i] = {T(I.m), cast<T>(I.h), {T(S.xx), T(S.yy), T(S.zz), T(S.xy), T(S.xz), T(S.yz)}};
-  }
+  for (int i = 1; i <= tree.nb(); ++i) composite[i] = own_composite<T>(tree.body[i].inertia);
   for (int j = tree.nb(); j > 0; --j) {
     const Body& body = tree.body[j];
     enter_block(q, body.link, "column");

@@ -98,6 +98,11 @@ ARBOC_INLINE Symmetric3<T> up(const Body& body, const JointPose<T>& pose, Symmet
   if (body.motion == Motion::kFloating) A = congruence(pose.Q, A);
   return congruence_z(body.gamma, congruence_x(body.alpha, congruence_z(pose.turn, A)));
 }
+template <class T>
+Matrix3<T> up(const Body& body, const JointPose<T>& pose, Matrix3<T> A) {
+  if (body.motion == Motion::kFloating) A = pose.Q * A * transpose(pose.Q);
+  return congruence_z(body.gamma, congruence_x(body.alpha, congruence_z(pose.turn, A)));
+}
 
 /// The poses of all joints.
 template <class T>
