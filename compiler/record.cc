@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/number.h"
+#include "reference/differences.h"
 
 namespace arboc {
 namespace {
@@ -26,6 +27,17 @@ Eigen::VectorXd vector(const Values& inputs, const char* name) {
 std::vector<double> rounded(std::vector<double> values) {
   for (double& x : values) x = parse_finite(fmt::format("{:.12g}", x)).value_or(x) + 0.0;
   return values;
+}
+
+/// What is known to `tolerance` of the largest entry, to a tenth of that: differences also leave
+/// such noise where there is nothing.
+std::vector<double> rounded(std::vector<double> values, double tolerance) {
+  double largest = 0;
+  for (const double x : values) largest = std::max(largest, std::fabs(x));
+  int decimals = 0;
+  for (double unit = 10; unit > tolerance * largest && decimals < 12; unit /= 10) ++decimals;
+  for (double& x : values) x = parse_finite(fmt::format("{:.{}f}", x, decimals)).value_or(x) + 0.0;
+  return rounded(std::move(values));
 }
 
 std::vector<double> placements(const Model& model, const Reference& reference,
@@ -88,6 +100,13 @@ Values evaluate_reference(const std::string& function, const Model& model,
   if (function == "nle") return {{"nle", values(reference.nle(q, vector(inputs, "v")))}};
   if (function == "crba") return {{"M", by_rows(reference.crba(q))}};
   if (function == "minv") return {{"Minv", by_rows(reference.minv(q))}};
+  if (function == "rnea_derivatives") {
+    const auto d =
+        differentiate_rnea(reference, model, {q, vector(inputs, "v"), vector(inputs, "a")});
+    return {{"dtau_dq", by_rows(d.dtau_dq)},
+            {"dtau_dv", by_rows(d.dtau_dv)},
+            {"M", by_rows(reference.crba(q))}};
+  }
   return {{"qdd", values(reference.aba(q, vector(inputs, "v"), vector(inputs, "tau")))}};
 }
 
@@ -109,8 +128,11 @@ void record(const Model& model, TargetModel& target) {
     v["q+"] = rounded(values(reference.integrate(state.q, target.step * state.v + curve)));
     const Values inputs = v;
     for (const TargetFunction& f : target.functions) {
-      for (auto& [name, result] : evaluate_reference(f.signature.name, model, reference, inputs))
-        v[f.signature.name + "." + name] = rounded(std::move(result));
+      Values results = evaluate_reference(f.signature.name, model, reference, inputs);
+      for (const Argument& a : f.signature.outputs)
+        v[f.signature.name + "." + a.name] = a.name == "dtau_dq" || a.name == "dtau_dv"
+                                                 ? rounded(std::move(results[a.name]), 1e-9)
+                                                 : rounded(std::move(results[a.name]));
     }
     target.recordings.push_back(std::move(recording));
   }

@@ -51,29 +51,42 @@ std::string tree_text(const DynamicTree& tree) {
   return out;
 }
 
+/// Entries of all outputs, dense.
+int dense_size(const Signature& s) {
+  int size = 0;
+  for (const Argument& a : s.outputs) size += a.rows * a.cols;
+  return size;
+}
+
 std::string case_text(const std::string& model, size_t index, const TargetFunction& f) {
   const Signature& s = f.signature;
-  std::string arguments;
+  std::string arguments, compare;
   for (const Argument& a : s.inputs)
     arguments += fmt::format("{} + s * {}, ", a.name, a.name == "q" ? "nq" : "nv");
-  const bool sparse = !f.patterns.front().row.empty();
-  const std::string at = fmt::format("{}::sparsity::{}_{}", model, s.name, s.outputs.front().name);
+  int offset = 0;
+  for (size_t k = 0; k < s.outputs.size(); ++k) {
+    const Argument& a = s.outputs[k];
+    const std::string at = fmt::format("{}::sparsity::{}_{}", model, s.name, a.name);
+    arguments += fmt::format("{}y + {}", k ? ", " : "", offset);
+    compare += fmt::format(
+        "        const double d{0} = difference(out.data() + {1}, expected.data() + {1}, {2}, {3}, "
+        "{4}, {5});\n        if (!(d{0} <= result[2])) result[2] = d{0};\n",
+        k, offset, f.entries(k), a.sparse ? at + "_row" : "nullptr",
+        a.sparse ? at + "_col" : "nullptr", a.cols);
+    offset += a.rows * a.cols;
+  }
   std::string out = fmt::format("    case {}: {{\n", index);
   out += fmt::format(
-      "      const auto generated_call = [&](int s, double* y) {{ {}::raw::{}<double>({}y); }};\n",
+      "      const auto generated_call = [&](int s, double* y) {{ {}::raw::{}<double>({}); }};\n",
       model, s.name, arguments);
   out +=
-      fmt::format("      const auto generic_call = [&](int s, double* y) {{ generic.{}({}y); }};\n",
+      fmt::format("      const auto generic_call = [&](int s, double* y) {{ generic.{}({}); }};\n",
                   s.name, arguments);
   out +=
       "      for (int s = 0; s < states; ++s) {\n"
       "        generated_call(s, out.data());\n        generic_call(s, expected.data());\n";
-  out += fmt::format(
-      "        const double d = difference(out.data(), expected.data(), {}, {}, {}, nv);\n",
-      f.entries(0), sparse ? at + "_row" : "nullptr", sparse ? at + "_col" : "nullptr");
-  out += "        if (!(d <= result[2])) result[2] = d;\n      }\n";
-  return out +
-         "      measure(states, out.data(), generated_call, generic_call, &result[0], "
+  return out + compare +
+         "      }\n      measure(states, out.data(), generated_call, generic_call, &result[0], "
          "&result[1]);\n      break;\n    }\n";
 }
 
@@ -84,7 +97,7 @@ std::string driver(const TargetModel& target, const DynamicTree& tree) {
     const TargetFunction& f = target.functions[k];
     includes += fmt::format("#include \"{0}/{0}_{1}_double.cpp\"\n", target.name, f.signature.name);
     cases += case_text(target.name, k, f);
-    size = std::max(size, f.signature.outputs.front().rows * f.signature.outputs.front().cols);
+    size = std::max(size, dense_size(f.signature));
   }
   return fill("bench/driver.cpp", {{"name", target.name},
                                    {"includes", includes},
@@ -143,7 +156,7 @@ int run_bench(const Common& common) {
   const std::vector<Row> rows = time(common, compilation.model, target(compilation, options));
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   if (!common.json)
-    fmt::print("{:<10} {:>10} {:>14} {:>12} {:>7} {:>12}\n", "function", "operations",
+    fmt::print("{:<16} {:>10} {:>14} {:>12} {:>7} {:>12}\n", "function", "operations",
                "generated ns", "generic ns", "ratio", "difference");
   bool agree = true;
   for (const Row& row : rows) {
@@ -158,7 +171,7 @@ int run_bench(const Common& common) {
                       {"difference", row.difference},
                       {"operations", row.ops}});
     else
-      fmt::print("{:<10} {:>10} {:>14.1f} {:>12.1f} {:>7.2f} {:>12.1e}\n", row.function, row.ops,
+      fmt::print("{:<16} {:>10} {:>14.1f} {:>12.1f} {:>7.2f} {:>12.1e}\n", row.function, row.ops,
                  row.generated, row.generic, row.generic / row.generated, row.difference);
   }
   if (common.json) fmt::print("{}\n", json.dump(1));

@@ -248,7 +248,7 @@ Values GeneratedCode::call(const std::string& function, const Values& inputs, in
   for (size_t k = 0; k < raw.size(); ++k) {
     const Argument& a = f->signature.outputs[k];
     const Pattern& pattern = f->patterns[k];
-    if (pattern.row.empty()) {
+    if (!a.sparse) {
       results[a.name] = raw[k];
       continue;
     }

@@ -1,6 +1,7 @@
 // arboc eval MODEL --function F --q FILE ...: numbers in, numbers out, by any engine.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -102,12 +103,13 @@ int run_eval(const Common& common, const EvalOptions& eval) {
   options.functions = {eval.function};
   const Compilation compilation = compiled(common, options);
   const CompiledFunction& f = compilation.functions.front();
-  bool known = eval.output.empty();
-  for (const Argument& a : f.signature.outputs) known = known || a.name == eval.output;
-  if (!known)
-    throw CLI::ValidationError(
-        "--output", fmt::format("{} has no output '{}', but {}", eval.function,
-                                printable(eval.output), f.signature.outputs.front().name));
+  std::vector<std::string> outputs;
+  for (const Argument& a : f.signature.outputs) outputs.push_back(a.name);
+  if (!eval.output.empty() &&
+      std::find(outputs.begin(), outputs.end(), eval.output) == outputs.end())
+    throw CLI::ValidationError("--output",
+                               fmt::format("{} has no output '{}', but {}", eval.function,
+                                           printable(eval.output), fmt::join(outputs, ", ")));
   const std::vector<Values> states = read_states(eval, f);
   if (states.front().contains("q")) warn_about_quaternions(compilation.model, states);
   const Engine engine = make_engine(eval.engine, common, options, compilation);

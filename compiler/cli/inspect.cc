@@ -123,7 +123,7 @@ int run_inspect(const Common& common, bool count_ops) {
   if (count_ops) {
     check_size(model, common.compile.max_dof);
     if (!common.json)
-      fmt::print("{:<10} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", "function", "total", "mul",
+      fmt::print("{:<16} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", "function", "total", "mul",
                  "add", "fma", "div", "sqrt", "sincos");
     for (const std::string& function : functions) {
       const OpCount n = compile_function(function, model).program.ops;
@@ -132,7 +132,7 @@ int run_inspect(const Common& common, bool count_ops) {
         json["ops"][function] = {{"mul", n.mul}, {"add", n.add},   {"fma", n.fma},
                                  {"div", n.div}, {"sqrt", n.sqrt}, {"sincos", n.sincos}};
       else
-        fmt::print("{:<10} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", function, n.total(), n.mul,
+        fmt::print("{:<16} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", function, n.total(), n.mul,
                    n.add, n.fma, n.div, n.sqrt, n.sincos);
     }
   }

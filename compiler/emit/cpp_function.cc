@@ -97,6 +97,7 @@ class Function {
   void add_part(std::string& parts, std::string& calls, const std::string& name,
                 const Arrays& arrays, const std::string& body) {
     used_.inputs.insert(arrays.inputs.begin(), arrays.inputs.end());
+    used_.outputs.insert(arrays.outputs.begin(), arrays.outputs.end());
     used_.work = used_.work || arrays.work;
     parts += fmt::format("template <class T>\nARBOC_NOINLINE void {}({}) noexcept {{\n{}}}\n\n",
                          name, list(program_, arrays, true), body);
@@ -139,6 +140,9 @@ class Function {
     for (size_t p = 0; p < program_.inputs.size(); ++p)
       if (!used_.inputs.contains(static_cast<int>(p)))
         out += fmt::format("  static_cast<void>({});\n", program_.inputs[p].name);
+    for (size_t p = 0; p < outputs.size(); ++p)
+      if (!used_.outputs.contains(static_cast<int>(p)))
+        out += fmt::format("  static_cast<void>({});\n", outputs[p].name);
     if (checked) {
       out += fmt::format("  for (int i = 0; i < {}; ++i) {{\n    if ({}[i] > T(0)) continue;\n",
                          outputs.back().size, outputs.back().name);
@@ -159,10 +163,10 @@ class Function {
     for (size_t i = 0; i < s.outputs.size(); ++i) {
       const Argument& a = s.outputs[i];
       const std::string shape =
-          function_.patterns[i].row.empty()
-              ? fmt::format("{} entries", a.rows * a.cols)
-              : fmt::format("{} structural non-zeros of {} x {} by columns{}", function_.entries(i),
-                            a.rows, a.cols, a.symmetric ? ", upper triangle" : "");
+          a.sparse
+              ? fmt::format("{} structural non-zeros of {} x {} by columns{}", function_.entries(i),
+                            a.rows, a.cols, a.symmetric ? ", upper triangle" : "")
+              : fmt::format("{} entries", a.rows * a.cols);
       describe(a, "out", shape);
     }
     if (!s.positive.empty())

@@ -31,7 +31,7 @@ ordered_json describe(const TargetFunction& f) {
     ordered_json output = describe(f.signature.outputs[i]);
     output["symmetric"] = f.signature.outputs[i].symmetric;
     output["entries"] = f.entries(i);
-    if (!f.patterns[i].row.empty())
+    if (f.signature.outputs[i].sparse)
       output["sparsity"] = {{"row", f.patterns[i].row}, {"col", f.patterns[i].col}};
     json["outputs"].push_back(output);
   }

@@ -47,43 +47,59 @@ std::string recordings(const TargetModel& model, const std::set<std::string>& ne
   return out;
 }
 
-std::string call(const TargetFunction& f, const std::string& model, const char* q) {
+/// Calls a function; output k goes to out<k>.
+std::string call(const TargetFunction& f, const std::string& model) {
   std::string arguments;
-  for (const Argument& a : f.signature.inputs) arguments += (a.name == "q" ? q : a.name) + "[s], ";
-  return fmt::format("{}::raw::{}<double>({}out)", model, f.signature.name, arguments);
+  for (const Argument& a : f.signature.inputs) arguments += a.name + "[s], ";
+  for (size_t k = 0; k < f.signature.outputs.size(); ++k)
+    arguments += fmt::format("{}out{}", k ? ", " : "", k);
+  return fmt::format("{}::raw::{}<double>({})", model, f.signature.name, arguments);
 }
 
-/// Scatters the non-zeros of a matrix output into `dense`.
-std::string scatter(const TargetFunction& f) {
-  const Argument& a = f.signature.outputs.front();
+/// Scatters the non-zeros of an output into `dense`.
+std::string scatter(const TargetFunction& f, size_t output) {
+  const Argument& a = f.signature.outputs[output];
   std::string out =
-      fmt::format("    double dense[{}] = {{}};\n    for (int k = 0; k < {}; ++k) {{\n",
-                  a.rows * a.cols, f.entries(0));
+      fmt::format("    double dense{}[{}] = {{}};\n    for (int k = 0; k < {}; ++k) {{\n", output,
+                  a.rows * a.cols, f.entries(output));
   const std::string at = fmt::format("sparsity::{}_{}", f.signature.name, a.name);
-  out += fmt::format("      dense[{0}_row[k] * {1} + {0}_col[k]] = out[k];\n", at, a.cols);
-  if (a.symmetric)
-    out += fmt::format("      dense[{0}_col[k] * {1} + {0}_row[k]] = out[k];\n", at, a.cols);
+  const auto entry = [&](const char* row, const char* col) {
+    return fmt::format("      dense{0}[{1}_{2}[k] * {3} + {1}_{4}[k]] = out{0}[k];\n", output, at,
+                       row, a.cols, col);
+  };
+  out += entry("row", "col");
+  if (a.symmetric) out += entry("col", "row");
   return out + "    }\n";
 }
 
 std::string check(const TargetModel& model, const TargetFunction& f,
                   std::set<std::string>& needed) {
-  const Argument& a = f.signature.outputs.front();
-  const std::string key = f.signature.name + "." + a.name;
-  if (!model.recordings.front().values.contains(key)) return "";
-  needed.insert(key);
-  for (const Argument& input : f.signature.inputs) needed.insert(input.name);
-  const bool sparse = !f.patterns.front().row.empty();
+  const Signature& s = f.signature;
+  for (const Argument& input : s.inputs) needed.insert(input.name);
   // Forward dynamics divides by the mass matrix: its condition number enters.
-  const bool solves = f.signature.name == "aba" || f.signature.name == "minv";
-  std::string out = fmt::format("  double {0}_error = 0;\n  for (int s = 0; s < kStates; ++s) {{\n",
-                                f.signature.name);
-  out += fmt::format("    double out[{}];\n    {};\n", f.entries(0), call(f, model.name, "q"));
-  if (sparse) out += scatter(f);
-  out += fmt::format("    worst({}_error, relative_error({}, {}[s], {}));\n  }}\n",
-                     f.signature.name, sparse ? "dense" : "out", cpp_name(key), a.rows * a.cols);
-  return out + fmt::format("  report(\"{0}\", {0}_error, {1});\n", f.signature.name,
-                           solves ? "1e-7" : "1e-11");
+  const bool solves = s.name == "aba" || s.name == "minv";
+  std::string errors, states, reports;
+  for (size_t k = 0; k < s.outputs.size(); ++k) {
+    const Argument& a = s.outputs[k];
+    const std::string key = s.name + "." + a.name;
+    needed.insert(key);
+    errors += fmt::format("  double {}_error = 0;\n", cpp_name(key));
+    states += fmt::format("    double out{}[{}];\n", k, std::max(1, f.entries(k)));
+    const std::string shown = s.outputs.size() == 1 ? s.name : key;
+    // Recordings have twelve digits.
+    reports += fmt::format("  report(\"{}\", {}_error, {});\n", shown, cpp_name(key),
+                           literal(solves ? 1e-7 : std::max(1e-11, a.tolerance)));
+  }
+  states += fmt::format("    {};\n", call(f, model.name));
+  for (size_t k = 0; k < s.outputs.size(); ++k) {
+    const Argument& a = s.outputs[k];
+    if (a.sparse) states += scatter(f, k);
+    const std::string name = cpp_name(s.name + "." + a.name);
+    states += fmt::format("    worst({0}_error, relative_error({1}{2}, {0}[s], {3}));\n", name,
+                          a.sparse ? "dense" : "out", k, a.rows * a.cols);
+  }
+  return fmt::format("{}  for (int s = 0; s < kStates; ++s) {{\n{}  }}\n{}", errors, states,
+                     reports);
 }
 
 /// d/dt (v^T M v / 2) = v^T (tau - g), the rate by central differences.

@@ -17,7 +17,11 @@ struct Argument {
   int cols = 1;
   std::string unit;
   std::string meaning;     ///< one line, with the frame
-  bool symmetric = false;  ///< a matrix of which the upper triangle is written
+  bool sparse = false;     ///< a matrix of which the structural non-zeros are written, by columns
+  bool symmetric = false;  ///< of these the ones in the upper triangle
+  /// Agreement with the reference engine, relative to the largest entry: rounding of some hundred
+  /// operations, or what the engine's own differences are good for.
+  double tolerance = 1e-12;
 };
 
 /// Structural non-zeros of a matrix output in the order in which they are written: by columns.
@@ -38,14 +42,13 @@ struct Signature {
 
 struct TargetFunction {
   Signature signature;
-  std::vector<Pattern> patterns;  ///< per output; empty for a dense output, written row by row
+  std::vector<Pattern> patterns;  ///< per output; of dense ones, written row by row, empty
   Program program;
 
   /// Entries that are written for an output.
   int entries(size_t output) const {
     const Argument& a = signature.outputs[output];
-    return patterns[output].row.empty() ? a.rows * a.cols
-                                        : static_cast<int>(patterns[output].row.size());
+    return a.sparse ? static_cast<int>(patterns[output].row.size()) : a.rows * a.cols;
   }
 };
 

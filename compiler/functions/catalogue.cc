@@ -16,19 +16,28 @@ namespace {
 struct Entry {
   const char* name;
   const char* inputs;
-  const char* output;
+  std::array<const char*, 3> outputs;  ///< null where there are fewer
   const char* meaning;
 };
 
-constexpr std::array<Entry, 7> kFunctions = {{
-    {"fk", "q", "placements",
+constexpr std::array<Entry, 8> kFunctions = {{
+    {"fk",
+     "q",
+     {"placements"},
      "Forward kinematics: where each moving link's frame is in the world."},
-    {"rnea", "qva", "tau", "Inverse dynamics: tau = M(q) a + C(q, v) v + g(q). [RBDA] Table 5.1."},
-    {"gravity", "q", "g", "Gravity forces: the joint forces that hold the body at rest."},
-    {"nle", "qv", "nle", "Nonlinear effects: C(q, v) v + g(q)."},
-    {"crba", "q", "M", "Joint-space inertia matrix. [RBDA] Table 6.2."},
-    {"minv", "q", "Minv", "Inverse of the joint-space inertia matrix."},
-    {"aba", "qvt", "qdd", "Forward dynamics: M(q) qdd = tau - C(q, v) v - g(q)."},
+    {"rnea",
+     "qva",
+     {"tau"},
+     "Inverse dynamics: tau = M(q) a + C(q, v) v + g(q). [RBDA] Table 5.1."},
+    {"gravity", "q", {"g"}, "Gravity forces: the joint forces that hold the body at rest."},
+    {"nle", "qv", {"nle"}, "Nonlinear effects: C(q, v) v + g(q)."},
+    {"crba", "q", {"M"}, "Joint-space inertia matrix. [RBDA] Table 6.2."},
+    {"minv", "q", {"Minv"}, "Inverse of the joint-space inertia matrix."},
+    {"aba", "qvt", {"qdd"}, "Forward dynamics: M(q) qdd = tau - C(q, v) v - g(q)."},
+    {"rnea_derivatives",
+     "qva",
+     {"dtau_dq", "dtau_dv", "M"},
+     "First derivatives of inverse dynamics with respect to q, v and a."},
 }};
 
 const Entry& find(const std::string& name) {
@@ -38,49 +47,61 @@ const Entry& find(const std::string& name) {
 
 Argument input_argument(char letter, const DynamicTree& tree) {
   switch (letter) {
-    case 'q':
-      return {"q", tree.nq, 1, "rad, m", "configuration; quaternions x y z w of length 1", false};
+    case 'q': return {"q", tree.nq, 1, "rad, m", "configuration; quaternions x y z w of length 1"};
     case 'v':
-      return {"v",
-              tree.nv,
-              1,
-              "rad/s, m/s",
-              "velocity; floating joints linear, angular in the body frame",
-              false};
-    case 'a': return {"a", tree.nv, 1, "rad/s^2, m/s^2", "time derivative of v", false};
+      return {"v", tree.nv, 1, "rad/s, m/s",
+              "velocity; floating joints linear, angular in the body frame"};
+    case 'a': return {"a", tree.nv, 1, "rad/s^2, m/s^2", "time derivative of v"};
     default:
-      return {"tau",
-              tree.nv,
-              1,
-              "N m, N",
-              "joint forces; floating joints force, moment in the body frame",
-              false};
+      return {"tau", tree.nv, 1, "N m, N",
+              "joint forces; floating joints force, moment in the body frame"};
   }
 }
 
-Argument output_argument(const std::string& name, const DynamicTree& tree) {
-  const int nv = tree.nv;
-  if (name == "placements")
-    return {name,
-            static_cast<int>(moving_frames(tree).size()),
-            12,
-            "1, m",
-            "one row a frame: rotation matrix (world from link, by rows), then origin in the world",
-            false};
-  if (name == "M") return {name, nv, nv, "kg m^2, kg m, kg", "kinetic energy is v M v / 2", true};
-  if (name == "Minv") return {name, nv, nv, "1/(kg m^2), 1/(kg m), 1/kg", "inverse of M", true};
-  if (name == "qdd") return {name, nv, 1, "rad/s^2, m/s^2", "time derivative of v", false};
-  return {name, nv, 1, "N m, N", "joint forces; floating joints force, moment in the body frame",
-          false};
+Argument matrix(const std::string& name, const DynamicTree& tree, const char* unit,
+                const char* meaning) {
+  return {name, tree.nv, tree.nv, unit, meaning, true, false};
 }
 
-/// The structural non-zeros of the upper triangle, by columns, and their values.
-std::vector<Expr> non_zeros(const std::vector<Expr>& matrix, int n, Pattern& pattern) {
+Argument symmetric_matrix(const std::string& name, const DynamicTree& tree, const char* unit,
+                          const char* meaning) {
+  return {name, tree.nv, tree.nv, unit, meaning, true, true};
+}
+
+/// The reference engine has no derivatives: it takes differences in q, 1e-12 where the results are
+/// of the size of the forces, less where these are larger.
+constexpr double kDifferences = 1e-9;
+
+Argument output_argument(const std::string& name, const DynamicTree& tree) {
+  if (name == "placements")
+    return {
+        name, static_cast<int>(moving_frames(tree).size()), 12, "1, m",
+        "one row a frame: rotation matrix (world from link, by rows), then origin in the world"};
+  if (name == "M")
+    return symmetric_matrix(name, tree, "kg m^2, kg m, kg", "kinetic energy is v M v / 2");
+  if (name == "Minv")
+    return symmetric_matrix(name, tree, "1/(kg m^2), 1/(kg m), 1/kg", "inverse of M");
+  if (name == "dtau_dq") {
+    Argument a = matrix(name, tree, "N m, N, N/m",
+                        "derivative of tau with respect to q; q of floating and planar joints "
+                        "moves along the body's axes");
+    a.tolerance = kDifferences;
+    return a;
+  }
+  if (name == "dtau_dv")
+    return matrix(name, tree, "N m s, N s, N s/m", "derivative of tau with respect to v");
+  if (name == "qdd") return {name, tree.nv, 1, "rad/s^2, m/s^2", "time derivative of v"};
+  return {name, tree.nv, 1, "N m, N",
+          "joint forces; floating joints force, moment in the body frame"};
+}
+
+/// The structural non-zeros of an output, by columns, and their values.
+std::vector<Expr> non_zeros(const Argument& a, const std::vector<Expr>& matrix, Pattern& pattern) {
   std::vector<Expr> entries;
-  for (int col = 0; col < n; ++col) {
-    for (int row = 0; row <= col; ++row) {
+  for (int col = 0; col < a.cols; ++col) {
+    for (int row = 0; row < (a.symmetric ? col + 1 : a.rows); ++row) {
       const Expr& entry =
-          matrix[static_cast<size_t>(row) * static_cast<size_t>(n) + static_cast<size_t>(col)];
+          matrix[static_cast<size_t>(row) * static_cast<size_t>(a.cols) + static_cast<size_t>(col)];
       if (is_zero(entry)) continue;
       pattern.row.push_back(row);
       pattern.col.push_back(col);
@@ -127,7 +148,8 @@ Signature signature(const std::string& function, const DynamicTree& tree) {
   s.meaning = entry.meaning;
   for (const char* letter = entry.inputs; *letter; ++letter)
     s.inputs.push_back(input_argument(*letter, tree));
-  s.outputs.push_back(output_argument(entry.output, tree));
+  for (const char* output : entry.outputs)
+    if (output) s.outputs.push_back(output_argument(output, tree));
   if (function == "aba" || function == "minv") s.positive = "pivot";
   return s;
 }
@@ -145,7 +167,7 @@ Traced trace(const std::string& function, const DynamicTree& tree) {
     inputs.emplace_back();
     for (const Ref ref : builder.input(a.name, a.rows)) inputs.back().emplace_back(&builder, ref);
   }
-  const Results<Expr> results = run(function, tree, inputs);
+  const Results<Expr> results = run(s, tree, inputs);
   if (!results.pivots.empty()) refuse_singular(tree, results.pivots, function);
 
   Traced traced;
@@ -154,10 +176,12 @@ Traced trace(const std::string& function, const DynamicTree& tree) {
     for (const Expr& value : values) refs.push_back(value.ref(builder));
     builder.output(name, refs);
   };
-  const Argument& a = s.outputs.front();
-  traced.patterns.emplace_back();
-  output(a.name,
-         a.symmetric ? non_zeros(results.output, tree.nv, traced.patterns.back()) : results.output);
+  for (size_t k = 0; k < s.outputs.size(); ++k) {
+    const Argument& a = s.outputs[k];
+    const std::vector<Expr>& all = results.outputs[k];
+    Pattern& pattern = traced.patterns.emplace_back();
+    output(a.name, a.sparse ? non_zeros(a, all, pattern) : all);
+  }
   if (!s.positive.empty()) output(s.positive, results.pivots);
   traced.graph = std::move(builder).finish();
   return traced;
@@ -168,12 +192,17 @@ Values evaluate_generic(const std::string& function, const DynamicTree& tree,
   const Signature s = signature(function, tree);
   std::vector<std::vector<double>> in;
   for (const Argument& a : s.inputs) in.push_back(inputs.at(a.name));
-  Results<double> results = run(function, tree, in);
-  const auto n = static_cast<size_t>(tree.nv);
-  if (s.outputs.front().symmetric)
-    for (size_t i = 0; i < n; ++i)
-      for (size_t j = 0; j < i; ++j) results.output[i * n + j] = results.output[j * n + i];
-  return {{s.outputs.front().name, results.output}};
+  Results<double> results = run(s, tree, in);
+  Values values;
+  for (size_t k = 0; k < s.outputs.size(); ++k) {
+    const Argument& a = s.outputs[k];
+    std::vector<double>& result = results.outputs[k];
+    const auto n = static_cast<size_t>(a.rows);
+    for (size_t i = 0; a.symmetric && i < n; ++i)
+      for (size_t j = 0; j < i; ++j) result[i * n + j] = result[j * n + i];
+    values[a.name] = std::move(result);
+  }
+  return values;
 }
 
 }  // namespace arboc

@@ -27,7 +27,7 @@ std::vector<LoweringOptions> lowerings(const std::string& function);
 struct Traced {
   Graph graph;                    ///< one output port an output (of matrices the non-zeros), then
                                   ///< the values that must be positive
-  std::vector<Pattern> patterns;  ///< per output; empty: dense
+  std::vector<Pattern> patterns;  ///< per output; of dense ones empty
 };
 
 /// Runs the algorithm with T = Expr.  Throws InputError that names a joint if forward dynamics is

@@ -11,6 +11,7 @@
 #include "algorithms/minv.h"
 #include "algorithms/nle.h"
 #include "algorithms/rnea.h"
+#include "algorithms/rnea_derivatives.h"
 @includes@
 namespace {
 
@@ -29,6 +30,7 @@ struct Generic {
   arboc::CrbaWorkspace<double> crba_work{tree};
   arboc::MinvWorkspace<double> minv_work{tree};
   arboc::AbaWorkspace<double> aba_work{tree};
+  arboc::RneaDerivativesWorkspace<double> rnea_derivatives_work{tree};
   std::vector<double> pivots = std::vector<double>(static_cast<std::size_t>(tree.nv));
 
   std::vector<int> moving_frames() const {
@@ -51,6 +53,13 @@ struct Generic {
   }
   void aba(const double* q, const double* v, const double* tau, double* out) {
     arboc::aba(tree, aba_work, q, v, tau, out, pivots.data());
+  }
+  void rnea_derivatives(const double* q, const double* v, const double* a, double* dtau_dq,
+                        double* dtau_dv, double* M) {
+    arboc::rnea_derivatives(tree, rnea_derivatives_work, q, v, a,
+                            arboc::SquareMatrix<double>{dtau_dq, tree.nv},
+                            arboc::SquareMatrix<double>{dtau_dv, tree.nv},
+                            arboc::UpperTriangle<double>{M, tree.nv});
   }
 };
 
@@ -88,11 +97,12 @@ void measure(int states, double* out, A a, B b, double* a_ns, double* b_ns) {
 }
 
 /// Largest difference relative to the largest entry; row and col say where entry k of `got` stands
-/// in the nv x nv matrix `expected`, or are null where both are vectors of n entries.
-double difference(const double* got, const double* expected, int n, const int* row, const int* col, int nv) {
+/// in the matrix `expected` with `cols` columns, or are null where both have n entries.
+double difference(const double* got, const double* expected, int n, const int* row, const int* col,
+                  int cols) {
   double error = 0, scale = 1e-9;
   for (int k = 0; k < n; ++k) {
-    const double x = expected[row ? row[k] * nv + col[k] : k];
+    const double x = expected[row ? row[k] * cols + col[k] : k];
     if (!(std::fabs(got[k] - x) <= error)) error = std::fabs(got[k] - x);
     if (std::fabs(x) > scale) scale = std::fabs(x);
   }
