@@ -46,9 +46,9 @@ inline Tangent nle(const Config& q, const Tangent& v) {
 
 /// Joint-space inertia matrix. [RBDA] Table 6.2.
 inline Matrix crba(const Config& q) {
-  double entries[sparsity::crba_M_nnz];
+  double entries[3];
   raw::crba<double>(q.data(), entries);
-  Matrix M = Matrix::Zero(nv, nv);
+  Matrix M = Matrix::Zero(2, 2);
   for (int k = 0; k < sparsity::crba_M_nnz; ++k) {
     M(sparsity::crba_M_row[k], sparsity::crba_M_col[k]) = entries[k];
     M(sparsity::crba_M_col[k], sparsity::crba_M_row[k]) = entries[k];
@@ -59,13 +59,14 @@ inline Matrix crba(const Config& q) {
 /// Inverse of the joint-space inertia matrix.
 /// `status`, if given, receives what raw::minv returns.
 inline Matrix minv(const Config& q, int* status = nullptr) {
-  double entries[sparsity::minv_Minv_nnz];
-  raw::minv<double>(q.data(), entries);
-  Matrix Minv = Matrix::Zero(nv, nv);
+  double entries[3];
+  const int failed = raw::minv<double>(q.data(), entries);
+  Matrix Minv = Matrix::Zero(2, 2);
   for (int k = 0; k < sparsity::minv_Minv_nnz; ++k) {
     Minv(sparsity::minv_Minv_row[k], sparsity::minv_Minv_col[k]) = entries[k];
     Minv(sparsity::minv_Minv_col[k], sparsity::minv_Minv_row[k]) = entries[k];
   }
+  if (status) *status = failed;
   return Minv;
 }
 
@@ -76,6 +77,39 @@ inline Tangent aba(const Config& q, const Tangent& v, const Tangent& tau, int* s
   const int failed = raw::aba<double>(q.data(), v.data(), tau.data(), qdd.data());
   if (status) *status = failed;
   return qdd;
+}
+
+/// Outputs of rnea_derivatives; those left null are not wanted.
+struct RneaDerivatives {
+  Eigen::Matrix<double, 2, 2, Eigen::RowMajor>* dtau_dq = nullptr;
+  Eigen::Matrix<double, 2, 2, Eigen::RowMajor>* dtau_dv = nullptr;
+  Matrix* M = nullptr;
+};
+/// First derivatives of inverse dynamics with respect to q, v and a.
+inline void rnea_derivatives(const Config& q, const Tangent& v, const Tangent& a, const RneaDerivatives& out) {
+  double dtau_dq[4];
+  double dtau_dv[3];
+  double M[3];
+  raw::rnea_derivatives<double>(q.data(), v.data(), a.data(), dtau_dq, dtau_dv, M);
+  if (out.dtau_dq) {
+    out.dtau_dq->setZero(2, 2);
+    for (int k = 0; k < sparsity::rnea_derivatives_dtau_dq_nnz; ++k) {
+      (*out.dtau_dq)(sparsity::rnea_derivatives_dtau_dq_row[k], sparsity::rnea_derivatives_dtau_dq_col[k]) = dtau_dq[k];
+    }
+  }
+  if (out.dtau_dv) {
+    out.dtau_dv->setZero(2, 2);
+    for (int k = 0; k < sparsity::rnea_derivatives_dtau_dv_nnz; ++k) {
+      (*out.dtau_dv)(sparsity::rnea_derivatives_dtau_dv_row[k], sparsity::rnea_derivatives_dtau_dv_col[k]) = dtau_dv[k];
+    }
+  }
+  if (out.M) {
+    out.M->setZero(2, 2);
+    for (int k = 0; k < sparsity::rnea_derivatives_M_nnz; ++k) {
+      (*out.M)(sparsity::rnea_derivatives_M_row[k], sparsity::rnea_derivatives_M_col[k]) = M[k];
+      (*out.M)(sparsity::rnea_derivatives_M_col[k], sparsity::rnea_derivatives_M_row[k]) = M[k];
+    }
+  }
 }
 
 }  // namespace double_pendulum

@@ -33,19 +33,17 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau
   const T x20 = tau[1] - T(0.15) * x15;
   // lower_rod, column
   const T x22 = T(0.050015000000000004) + T(0.15) * w[3];
-  // lower_rod, composite
-  const T x24 = T(0.049985) * w[2];
   // lower_rod, factor
-  const T x29 = T(19.99400179946016) * x22;
-  const T x30 = T(1.0) + T(0.05) + T(4.50000000000025e-05) + T(0.3) * w[3] - w[2] * x24 + w[2] * x24 - x22 * x29;
-  pivot[0] = x30;
+  const T x25 = T(19.99400179946016) * x22;
+  const T x27 = T(1.0500450000000001) + T(0.3) * w[3] - x22 * x25;
+  pivot[0] = x27;
   // upper_rod, factor
-  const T x31 = T(1.0) / x30;
-  const T x32 = tau[0] - T(11.772) * w[0] + w[2] * x19 - T(0.15) * x15 - x20 * x29;
-  const T x33 = x31 * x32;
-  qdd[0] = x33;
-  const T x34 = T(19.99400179946016) * x20 - x29 * x33;
-  qdd[1] = x34;
+  const T x28 = T(1.0) / x27;
+  const T x29 = tau[0] - T(11.772) * w[0] + w[2] * x19 - T(0.15) * x15 - x20 * x25;
+  const T x30 = x28 * x29;
+  qdd[0] = x30;
+  const T x31 = T(19.99400179946016) * x20 - x25 * x30;
+  qdd[1] = x31;
 }
 
 }  // namespace aba_parts
@@ -56,7 +54,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau
 /// in  tau: 2 entries; N m, N; joint forces; floating joints force, moment in the body frame
 /// out qdd: 2 entries; rad/s^2, m/s^2; time derivative of v
 /// Returns 0, or 1 + the index of the first pivot that is not positive; then qdd is nan.
-/// 9 mul, 3 add, 13 fma, 1 div, 0 sqrt, 2 sincos.
+/// 8 mul, 1 add, 11 fma, 1 div, 0 sqrt, 2 sincos.
 template <class T>
 int aba(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau, T* ARBOC_RESTRICT qdd) noexcept {
   T w[4];

@@ -22,13 +22,11 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT M, T* ARBOC_RESTRICT w) noexcept {
   // lower_rod, column
-  const T x7 = T(0.050015000000000004) + T(0.15) * w[1];
-  M[1] = x7;
-  // lower_rod, composite
-  const T x9 = T(0.049985) * w[0];
+  const T x5 = T(0.050015000000000004) + T(0.15) * w[1];
+  M[1] = x5;
   // upper_rod, column
-  const T x13 = T(1.0) + T(0.05) + T(4.50000000000025e-05) + T(0.3) * w[1] - w[0] * x9 + w[0] * x9;
-  M[0] = x13;
+  const T x8 = T(1.0500450000000001) + T(0.3) * w[1];
+  M[0] = x8;
 }
 
 }  // namespace crba_parts
@@ -36,7 +34,7 @@ ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT M, T* ARBOC_RESTRICT w) noexcept {
 /// Joint-space inertia matrix. [RBDA] Table 6.2.
 /// in  q: 2 entries; rad, m; configuration; quaternions x y z w of length 1
 /// out M: 3 structural non-zeros of 2 x 2 by columns, upper triangle; kg m^2, kg m, kg; kinetic energy is v M v / 2
-/// 1 mul, 2 add, 4 fma, 0 div, 0 sqrt, 1 sincos.
+/// 0 mul, 0 add, 2 fma, 0 div, 0 sqrt, 1 sincos.
 template <class T>
 void crba(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT M) noexcept {
   T w[2];

@@ -22,21 +22,19 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT Minv, T* ARBOC_RESTRICT pivot, T* ARBOC_RESTRICT w) noexcept {
   // lower_rod, column
-  const T x7 = T(0.050015000000000004) + T(0.15) * w[1];
-  // lower_rod, composite
-  const T x9 = T(0.049985) * w[0];
+  const T x6 = T(0.050015000000000004) + T(0.15) * w[1];
   // lower_rod, factor
-  const T x14 = T(19.99400179946016) * x7;
-  const T x15 = T(1.0) + T(0.05) + T(4.50000000000025e-05) + T(0.3) * w[1] - w[0] * x9 + w[0] * x9 - x7 * x14;
-  pivot[0] = x15;
+  const T x9 = T(19.99400179946016) * x6;
+  const T x11 = T(1.0500450000000001) + T(0.3) * w[1] - x6 * x9;
+  pivot[0] = x11;
   // upper_rod, factor
-  const T x16 = T(1.0) / x15;
-  Minv[0] = x16;
+  const T x12 = T(1.0) / x11;
+  Minv[0] = x12;
   // lower_rod, inverse
-  const T x17 = x14 * x16;
-  Minv[1] = -x17;
-  const T x18 = T(19.99400179946016) + x14 * x17;
-  Minv[2] = x18;
+  const T x13 = x9 * x12;
+  Minv[1] = -x13;
+  const T x14 = T(19.99400179946016) + x9 * x13;
+  Minv[2] = x14;
 }
 
 }  // namespace minv_parts
@@ -45,7 +43,7 @@ ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT Minv, T* ARBOC_RESTRICT pivot, T* AR
 /// in  q: 2 entries; rad, m; configuration; quaternions x y z w of length 1
 /// out Minv: 3 structural non-zeros of 2 x 2 by columns, upper triangle; 1/(kg m^2), 1/(kg m), 1/kg; inverse of M
 /// Returns 0, or 1 + the index of the first pivot that is not positive; then Minv is nan.
-/// 3 mul, 2 add, 6 fma, 1 div, 0 sqrt, 1 sincos.
+/// 2 mul, 0 add, 4 fma, 1 div, 0 sqrt, 1 sincos.
 template <class T>
 int minv(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT Minv) noexcept {
   T w[2];

@@ -47,6 +47,21 @@ inline constexpr int minv_Minv_row[3] = {
     0, 0, 1};
 inline constexpr int minv_Minv_col[3] = {
     0, 1, 1};
+inline constexpr int rnea_derivatives_dtau_dq_nnz = 4;
+inline constexpr int rnea_derivatives_dtau_dq_row[4] = {
+    0, 1, 0, 1};
+inline constexpr int rnea_derivatives_dtau_dq_col[4] = {
+    0, 0, 1, 1};
+inline constexpr int rnea_derivatives_dtau_dv_nnz = 3;
+inline constexpr int rnea_derivatives_dtau_dv_row[3] = {
+    0, 1, 0};
+inline constexpr int rnea_derivatives_dtau_dv_col[3] = {
+    0, 0, 1};
+inline constexpr int rnea_derivatives_M_nnz = 3;
+inline constexpr int rnea_derivatives_M_row[3] = {
+    0, 0, 1};
+inline constexpr int rnea_derivatives_M_col[3] = {
+    0, 1, 1};
 }  // namespace sparsity
 
 namespace raw {
@@ -85,6 +100,11 @@ extern template int minv<double>(const double* q, double* Minv) noexcept;
 template <class T>
 int aba(const T* q, const T* v, const T* tau, T* qdd) noexcept;
 extern template int aba<double>(const double* q, const double* v, const double* tau, double* qdd) noexcept;
+
+/// First derivatives of inverse dynamics with respect to q, v and a.
+template <class T>
+void rnea_derivatives(const T* q, const T* v, const T* a, T* dtau_dq, T* dtau_dv, T* M) noexcept;
+extern template void rnea_derivatives<double>(const double* q, const double* v, const double* a, double* dtau_dq, double* dtau_dv, double* M) noexcept;
 
 }  // namespace raw
 }  // namespace double_pendulum

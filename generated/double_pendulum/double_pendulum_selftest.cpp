@@ -8,6 +8,7 @@
 
 #include "double_pendulum_raw.hpp"
 
+namespace double_pendulum_selftest {
 namespace {
 
 constexpr int kStates = 4;
@@ -86,6 +87,24 @@ const double rnea_tau[kStates][2] = {
     {13.2013920627, 0.395160952522},
     {-8.45967484844, 1.11545745092},
 };
+const double rnea_derivatives_M[kStates][4] = {
+    {1.05823005154, 0.0541075257686, 0.0541075257686, 0.050015},
+    {0.968435884956, 0.00921044247801, 0.00921044247801, 0.050015},
+    {0.930570797078, -0.00972210146079, -0.00972210146079, 0.050015},
+    {0.763658732475, -0.0931781337626, -0.0931781337626, 0.050015},
+};
+const double rnea_derivatives_dtau_dq[kStates][4] = {
+    {10.198003074, -0.980120539, -0.56042676, -0.462470245},
+    {3.9043920497, 1.076782026, 1.2918610315, 1.1336947238},
+    {5.7735774824, -2.456156919, -1.4263029251, -1.9866588135},
+    {1.9632934027, 0.08748785, -0.7502459218, -0.6552987548},
+};
+const double rnea_derivatives_dtau_dv[kStates][4] = {
+    {-0.31535583092, -0.88034873031, 0.5649928994, 0.0},
+    {-0.03473361394, 0.07595787081, -0.11069148475, 0.0},
+    {0.46075098888, 0.2607422046, 0.20000878428, 0.0},
+    {0.17788933957, 0.18343597104, -0.00554663147, 0.0},
+};
 const double tau[kStates][2] = {
     {-1.1147059834728381, 0.4613435970196278},
     {-0.9012418505942072, -6.65930021718898},
@@ -122,69 +141,95 @@ void worst(double& error, double candidate) {
   if (!(candidate <= error)) error = candidate;
 }
 
-}  // namespace
-
-int main() {
+int run() {
   namespace sparsity = double_pendulum::sparsity;
-  double fk_error = 0;
+  double fk_placements_error = 0;
   for (int s = 0; s < kStates; ++s) {
-    double out[24];
-    double_pendulum::raw::fk<double>(q[s], out);
-    worst(fk_error, relative_error(out, fk_placements[s], 24));
+    double out0[24];
+    double_pendulum::raw::fk<double>(q[s], out0);
+    worst(fk_placements_error, relative_error(out0, fk_placements[s], 24));
   }
-  report("fk", fk_error, 1e-11);
-  double rnea_error = 0;
+  report("fk", fk_placements_error, 1e-11);
+  double rnea_tau_error = 0;
   for (int s = 0; s < kStates; ++s) {
-    double out[2];
-    double_pendulum::raw::rnea<double>(q[s], v[s], a[s], out);
-    worst(rnea_error, relative_error(out, rnea_tau[s], 2));
+    double out0[2];
+    double_pendulum::raw::rnea<double>(q[s], v[s], a[s], out0);
+    worst(rnea_tau_error, relative_error(out0, rnea_tau[s], 2));
   }
-  report("rnea", rnea_error, 1e-11);
-  double gravity_error = 0;
+  report("rnea", rnea_tau_error, 1e-11);
+  double gravity_g_error = 0;
   for (int s = 0; s < kStates; ++s) {
-    double out[2];
-    double_pendulum::raw::gravity<double>(q[s], out);
-    worst(gravity_error, relative_error(out, gravity_g[s], 2));
+    double out0[2];
+    double_pendulum::raw::gravity<double>(q[s], out0);
+    worst(gravity_g_error, relative_error(out0, gravity_g[s], 2));
   }
-  report("gravity", gravity_error, 1e-11);
-  double nle_error = 0;
+  report("gravity", gravity_g_error, 1e-11);
+  double nle_nle_error = 0;
   for (int s = 0; s < kStates; ++s) {
-    double out[2];
-    double_pendulum::raw::nle<double>(q[s], v[s], out);
-    worst(nle_error, relative_error(out, nle_nle[s], 2));
+    double out0[2];
+    double_pendulum::raw::nle<double>(q[s], v[s], out0);
+    worst(nle_nle_error, relative_error(out0, nle_nle[s], 2));
   }
-  report("nle", nle_error, 1e-11);
-  double crba_error = 0;
+  report("nle", nle_nle_error, 1e-11);
+  double crba_M_error = 0;
   for (int s = 0; s < kStates; ++s) {
-    double out[3];
-    double_pendulum::raw::crba<double>(q[s], out);
-    double dense[4] = {};
+    double out0[3];
+    double_pendulum::raw::crba<double>(q[s], out0);
+    double dense0[4] = {};
     for (int k = 0; k < 3; ++k) {
-      dense[sparsity::crba_M_row[k] * 2 + sparsity::crba_M_col[k]] = out[k];
-      dense[sparsity::crba_M_col[k] * 2 + sparsity::crba_M_row[k]] = out[k];
+      dense0[sparsity::crba_M_row[k] * 2 + sparsity::crba_M_col[k]] = out0[k];
+      dense0[sparsity::crba_M_col[k] * 2 + sparsity::crba_M_row[k]] = out0[k];
     }
-    worst(crba_error, relative_error(dense, crba_M[s], 4));
+    worst(crba_M_error, relative_error(dense0, crba_M[s], 4));
   }
-  report("crba", crba_error, 1e-11);
-  double minv_error = 0;
+  report("crba", crba_M_error, 1e-11);
+  double minv_Minv_error = 0;
   for (int s = 0; s < kStates; ++s) {
-    double out[3];
-    double_pendulum::raw::minv<double>(q[s], out);
-    double dense[4] = {};
+    double out0[3];
+    double_pendulum::raw::minv<double>(q[s], out0);
+    double dense0[4] = {};
     for (int k = 0; k < 3; ++k) {
-      dense[sparsity::minv_Minv_row[k] * 2 + sparsity::minv_Minv_col[k]] = out[k];
-      dense[sparsity::minv_Minv_col[k] * 2 + sparsity::minv_Minv_row[k]] = out[k];
+      dense0[sparsity::minv_Minv_row[k] * 2 + sparsity::minv_Minv_col[k]] = out0[k];
+      dense0[sparsity::minv_Minv_col[k] * 2 + sparsity::minv_Minv_row[k]] = out0[k];
     }
-    worst(minv_error, relative_error(dense, minv_Minv[s], 4));
+    worst(minv_Minv_error, relative_error(dense0, minv_Minv[s], 4));
   }
-  report("minv", minv_error, 1e-7);
-  double aba_error = 0;
+  report("minv", minv_Minv_error, 1e-07);
+  double aba_qdd_error = 0;
   for (int s = 0; s < kStates; ++s) {
-    double out[2];
-    double_pendulum::raw::aba<double>(q[s], v[s], tau[s], out);
-    worst(aba_error, relative_error(out, aba_qdd[s], 2));
+    double out0[2];
+    double_pendulum::raw::aba<double>(q[s], v[s], tau[s], out0);
+    worst(aba_qdd_error, relative_error(out0, aba_qdd[s], 2));
   }
-  report("aba", aba_error, 1e-7);
+  report("aba", aba_qdd_error, 1e-07);
+  double rnea_derivatives_dtau_dq_error = 0;
+  double rnea_derivatives_dtau_dv_error = 0;
+  double rnea_derivatives_M_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[4];
+    double out1[3];
+    double out2[3];
+    double_pendulum::raw::rnea_derivatives<double>(q[s], v[s], a[s], out0, out1, out2);
+    double dense0[4] = {};
+    for (int k = 0; k < 4; ++k) {
+      dense0[sparsity::rnea_derivatives_dtau_dq_row[k] * 2 + sparsity::rnea_derivatives_dtau_dq_col[k]] = out0[k];
+    }
+    worst(rnea_derivatives_dtau_dq_error, relative_error(dense0, rnea_derivatives_dtau_dq[s], 4));
+    double dense1[4] = {};
+    for (int k = 0; k < 3; ++k) {
+      dense1[sparsity::rnea_derivatives_dtau_dv_row[k] * 2 + sparsity::rnea_derivatives_dtau_dv_col[k]] = out1[k];
+    }
+    worst(rnea_derivatives_dtau_dv_error, relative_error(dense1, rnea_derivatives_dtau_dv[s], 4));
+    double dense2[4] = {};
+    for (int k = 0; k < 3; ++k) {
+      dense2[sparsity::rnea_derivatives_M_row[k] * 2 + sparsity::rnea_derivatives_M_col[k]] = out2[k];
+      dense2[sparsity::rnea_derivatives_M_col[k] * 2 + sparsity::rnea_derivatives_M_row[k]] = out2[k];
+    }
+    worst(rnea_derivatives_M_error, relative_error(dense2, rnea_derivatives_M[s], 4));
+  }
+  report("rnea_derivatives.dtau_dq", rnea_derivatives_dtau_dq_error, 1e-09);
+  report("rnea_derivatives.dtau_dv", rnea_derivatives_dtau_dv_error, 1e-11);
+  report("rnea_derivatives.M", rnea_derivatives_M_error, 1e-11);
   // d/dt (v M v / 2) = v (tau - g), the rate by central differences.
   double power_error = 0;
   for (int s = 0; s < kStates; ++s) {
@@ -212,3 +257,8 @@ int main() {
   report("power, by differences", power_error, 1e-6);
   return failures == 0 ? 0 : 1;
 }
+
+}  // namespace
+}  // namespace double_pendulum_selftest
+
+int main() { return double_pendulum_selftest::run(); }

@@ -56,66 +56,66 @@ ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT M, T* ARBOC_RESTRICT w) noexcept {
   // wrist_2_link, composite
   const T x46 = T(0.0015106093838399004) * w[6];
   const T x48 = w[6] * x46 - T(0.0020052223838399005);
-  const T x51 = T(0.006585000387270001) * w[6];
-  const T x53 = T(0.003838243803185) * w[6] + w[7] * x46;
-  const T x55 = T(0.0009231675000000002) + w[6] * x46;
-  const T x57 = T(0.0019391638838399004) - T(0.01396233113165) + x48 - w[6] * x46;
-  const T x59 = T(0.01643350047875) + x28;
+  const T x50 = T(0.006585000387270001) * w[6];
+  const T x52 = T(0.003838243803185) * w[6] + w[7] * x46;
+  const T x54 = T(0.0009231675000000002) + w[6] * x46;
+  const T x56 = x48 - T(0.0120231672478101) - w[6] * x46;
+  const T x58 = T(0.01643350047875) + x28;
   // wrist_1_link, column
-  const T x60 = x55 - x57;
-  M[9] = x60;
-  const T x62 = T(0.150887345) * w[5] + w[4] * x24;
-  const T x63 = w[5] * x24 - T(0.150887345) * w[4];
-  const T x64 = w[4] * x59 - w[5] * x53;
-  const T x65 = w[5] * x59 + w[4] * x53;
-  const T x66 = x60 + T(0.39225) * x63;
-  M[8] = x66;
-  const T x67 = w[3] * x63 - w[2] * x62;
-  const T x68 = w[2] * x65 + w[3] * x64;
-  const T x69 = w[3] * x65 - w[2] * x64;
-  const T x70 = x66 + T(0.425) * x67;
-  M[7] = x70;
-  const T x71 = w[1] * x69 - w[0] * x68;
-  M[6] = x71;
+  const T x59 = x54 - x56;
+  M[9] = x59;
+  const T x61 = T(0.150887345) * w[5] + w[4] * x24;
+  const T x62 = w[5] * x24 - T(0.150887345) * w[4];
+  const T x63 = w[4] * x58 - w[5] * x52;
+  const T x64 = w[5] * x58 + w[4] * x52;
+  const T x65 = x59 + T(0.39225) * x62;
+  M[8] = x65;
+  const T x66 = w[3] * x62 - w[2] * x61;
+  const T x67 = w[2] * x64 + w[3] * x63;
+  const T x68 = w[3] * x64 - w[2] * x63;
+  const T x69 = x65 + T(0.425) * x66;
+  M[7] = x69;
+  const T x70 = w[1] * x68 - w[0] * x67;
+  M[6] = x70;
   // wrist_1_link, composite
-  const T x72 = x55 + x57;
-  const T x73 = w[5] * x51 + w[4] * x72;
-  const T x76 = T(1.594451775) + x63;
-  const T x78 = x27 - T(0.39225) * x62 - w[5] * x73;
-  const T x80 = T(0.57063187374375) + x55 + T(0.7845) * x63 - w[4] * x73;
-  const T x82 = x57 - T(0.0011795599999999996) - w[4] * x73;
-  const T x84 = x64 - T(0.12652256366625) - T(0.013793413942275) * w[7];
+  const T x71 = x54 + x56;
+  const T x72 = w[5] * x50 + w[4] * x71;
+  const T x75 = T(1.594451775) + x62;
+  const T x77 = x27 - T(0.39225) * x61 - w[5] * x72;
+  const T x79 = T(0.57063187374375) + x54 + T(0.7845) * x62 - w[4] * x72;
+  const T x81 = x56 - T(0.0011795599999999996) - w[4] * x72;
+  const T x83 = x63 - T(0.12652256366625) - T(0.013793413942275) * w[7];
   // forearm, column
-  const T x85 = x80 - x82;
-  M[5] = x85;
-  const T x86 = w[3] * x62 + w[2] * x76;
-  const T x87 = w[2] * x62 - w[3] * x76;
-  const T x88 = w[2] * x65 + w[3] * x84;
-  const T x89 = w[3] * x65 - w[2] * x84;
-  const T x90 = x85 - T(0.425) * x87;
-  M[4] = x90;
-  const T x91 = w[1] * x89 - w[0] * x88;
-  M[3] = x91;
+  const T x84 = x79 - x81;
+  M[5] = x84;
+  const T x85 = w[3] * x61 + w[2] * x75;
+  const T x86 = w[2] * x61 - w[3] * x75;
+  const T x87 = w[2] * x64 + w[3] * x83;
+  const T x88 = w[3] * x64 - w[2] * x83;
+  const T x89 = x84 - T(0.425) * x86;
+  M[4] = x89;
+  const T x90 = w[1] * x88 - w[0] * x87;
+  M[3] = x90;
   // forearm, composite
-  const T x92 = T(2.0) * x78;
-  const T x93 = x80 + x82;
-  const T x94 = w[3] * x92 - w[2] * x93;
-  const T x96 = x78 + T(0.425) * x86 - w[3] * x94;
-  const T x98 = T(1.40048834375) + x80 - T(0.85) * x87 + w[2] * x94;
-  const T x100 = x82 - T(0.006118499999999999) + w[2] * x94;
-  const T x102 = x88 - T(0.34930028562500004) - T(0.0149450629075) * w[7];
+  const T x91 = T(2.0) * x77;
+  const T x92 = x79 + x81;
+  const T x93 = w[3] * x91 - w[2] * x92;
+  const T x95 = x77 + T(0.425) * x85 - w[3] * x93;
+  const T x97 = T(1.40048834375) + x79 - T(0.85) * x86 + w[2] * x93;
+  const T x99 = x81 - T(0.006118499999999999) + w[2] * x93;
+  const T x101 = x87 - T(0.34930028562500004) - T(0.0149450629075) * w[7];
   // upper_arm, column
-  const T x103 = x98 - x100;
-  M[2] = x103;
-  const T x104 = w[1] * x89 - w[0] * x102;
-  M[1] = x104;
+  const T x102 = x97 - x99;
+  M[2] = x102;
+  const T x103 = w[1] * x88 - w[0] * x101;
+  M[1] = x103;
   // upper_arm, composite
-  const T x105 = T(2.0) * x96;
-  const T x106 = x98 + x100;
-  const T x107 = w[1] * x105 + w[0] * x106;
+  const T x104 = T(2.0) * x95;
+  const T x105 = x97 + x99;
+  const T x106 = w[1] * x104 + w[0] * x105;
   // shoulder, column
-  const T x110 = T(0.0033300000000000005) + T(0.15195727895555) - x48 + x98 + T(0.00767648760637) * w[7] - w[0] * x107;
-  M[0] = x110;
+  const T x108 = T(0.15528727895555) - x48 + x97 + T(0.00767648760637) * w[7] - w[0] * x106;
+  M[0] = x108;
 }
 
 }  // namespace crba_parts
@@ -123,7 +123,7 @@ ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT M, T* ARBOC_RESTRICT w) noexcept {
 /// Joint-space inertia matrix. [RBDA] Table 6.2.
 /// in  q: 6 entries; rad, m; configuration; quaternions x y z w of length 1
 /// out M: 20 structural non-zeros of 6 x 6 by columns, upper triangle; kg m^2, kg m, kg; kinetic energy is v M v / 2
-/// 41 mul, 19 add, 52 fma, 0 div, 0 sqrt, 4 sincos.
+/// 41 mul, 17 add, 52 fma, 0 div, 0 sqrt, 4 sincos.
 template <class T>
 void crba(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT M) noexcept {
   T w[8];

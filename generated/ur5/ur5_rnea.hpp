@@ -32,7 +32,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
   const T x37 = a[1] + x29 * x30;
   const T x38 = v[1] * x29 - x34;
   const T x39 = x33 + v[1] * x30;
-  const T x40 = x29 * x29 + x30 * x30;
+  const T x43 = x29 * x29 - v[1] * v[1];
   // forearm, motion
   const T x45 = w[2] * x30 + w[3] * x29;
   const T x46 = w[2] * x29 - w[3] * x30;
@@ -49,7 +49,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
   const T x58 = x52 + x46 * x51;
   const T x59 = x53 + x45 * x51;
   const T x60 = x52 - x46 * x51;
-  const T x61 = x45 * x45 + x46 * x46;
+  const T x64 = x45 * x45 - x51 * x51;
   // wrist_1_link, motion
   const T x67 = w[4] * x46 - w[5] * x45;
   const T x68 = w[4] * x45 + w[5] * x46;
@@ -94,46 +94,44 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
   const T x114 = w[9] * x97 + w[8] * x90;
   const T x115 = v[5] + x91;
   const T x116 = a[5] + x99;
-  const T x117 = x116 - x113 * x114;
-  const T x118 = x116 + x113 * x114;
-  const T x119 = w[9] * x100 + w[8] * x98 - v[5] * x113 - x113 * x115;
-  const T x120 = w[8] * x100 - w[9] * x98 + v[5] * x114 + x114 * x115;
-  const T x122 = T(6.60585e-05) * x120;
-  const T x123 = T(6.60585e-05) * x119;
-  const T x124 = T(6.60585e-05) * x117 + T(6.60585e-05) * x118;
-  tau[5] = x124;
+  const T x117 = w[9] * x100 + w[8] * x98 - v[5] * x113 - x113 * x115;
+  const T x118 = w[8] * x100 - w[9] * x98 + v[5] * x114 + x114 * x115;
+  const T x120 = T(6.60585e-05) * x118;
+  const T x121 = T(6.60585e-05) * x117;
+  const T x123 = T(0.000132117) * x116;
+  tau[5] = x123;
   // wrist_3_link, force
-  const T x125 = T(0.0032925001936350007) * x104 - T(0.0032925001936350007) * x107 + T(0.0020052223838399005) * x106 + T(0.0351648539) * x94 + w[8] * x123 - w[9] * x122;
-  const T x126 = x124 - T(0.0032925001936350007) * x101 + T(0.0004285545000000001) * x105;
-  const T x127 = T(0.0020052223838399005) * x101 + T(0.0004285545000000001) * x103 - T(0.0032925001936350007) * x102 + w[9] * x123 + w[8] * x122 + T(0.0351648539) * x96;
-  tau[4] = x127;
+  const T x124 = T(0.0032925001936350007) * x104 - T(0.0032925001936350007) * x107 + T(0.0020052223838399005) * x106 + T(0.0351648539) * x94 + w[8] * x121 - w[9] * x120;
+  const T x125 = x123 - T(0.0032925001936350007) * x101 + T(0.0004285545000000001) * x105;
+  const T x126 = T(0.0020052223838399005) * x101 + T(0.0004285545000000001) * x103 - T(0.0032925001936350007) * x102 + w[9] * x121 + w[8] * x120 + T(0.0351648539) * x96;
+  tau[4] = x126;
   // wrist_2_link, force
-  const T x128 = w[6] * x112 - w[7] * x111;
-  const T x130 = x128 + T(0.150887345) * x78;
-  const T x131 = T(0.150887345) * x81 - T(0.0351648539) * x106;
-  const T x132 = T(0.150887345) * x84 - w[7] * x112 - w[6] * x111;
-  const T x133 = T(0.01643350047875) * x81 - T(0.01643350047875) * x85 + T(0.01396233113165) * x84 - T(0.150887345) * x72 - T(0.003838243803185) * x106 + w[6] * x126 - w[7] * x125;
-  const T x134 = x127 - T(0.01643350047875) * x78 + T(0.0004285545000000001) * x83 - T(0.10915) * x128;
-  const T x135 = T(0.01396233113165) * x78 + T(0.0004285545000000001) * x80 - T(0.01643350047875) * x79 - T(0.150887345) * x73 + w[7] * x126 + w[6] * x125;
-  tau[3] = x135;
+  const T x127 = w[6] * x112 - w[7] * x111;
+  const T x129 = x127 + T(0.150887345) * x78;
+  const T x130 = T(0.150887345) * x81 - T(0.0351648539) * x106;
+  const T x131 = T(0.150887345) * x84 - w[7] * x112 - w[6] * x111;
+  const T x132 = T(0.01643350047875) * x81 - T(0.01643350047875) * x85 + T(0.01396233113165) * x84 - T(0.150887345) * x72 - T(0.003838243803185) * x106 + w[6] * x125 - w[7] * x124;
+  const T x133 = x126 - T(0.01643350047875) * x78 + T(0.0004285545000000001) * x83 - T(0.10915) * x127;
+  const T x134 = T(0.01396233113165) * x78 + T(0.0004285545000000001) * x80 - T(0.01643350047875) * x79 - T(0.150887345) * x73 + w[7] * x125 + w[6] * x124;
+  tau[3] = x134;
   // wrist_1_link, force
-  const T x136 = w[5] * x131 + w[4] * x130;
-  const T x137 = T(1.594451775) * x55 - w[4] * x131 + w[5] * x130;
-  const T x138 = T(1.594451775) * x57 - x136;
-  const T x139 = T(1.594451775) * x59 - x132;
-  const T x140 = T(0.12652256366625) * x57 + T(0.0011795599999999996) * x60 + w[4] * x134 - w[5] * x133;
-  const T x141 = T(0.677642004375) * x38 + T(0.12652256366625) * x61 - T(0.12652256366625) * x55 + T(0.57063187374375) * x59 - T(0.39225) * x132 + w[5] * x134 + w[4] * x133;
-  const T x142 = x135 + T(0.0011795599999999996) * x56 + T(0.57063187374375) * x57 + T(0.12652256366625) * x58 + T(1.594451775) * x50 - T(0.39225) * x136;
-  tau[2] = x142;
+  const T x135 = w[5] * x130 + w[4] * x129;
+  const T x136 = T(1.594451775) * x55 - w[4] * x130 + w[5] * x129;
+  const T x137 = T(1.594451775) * x57 - x135;
+  const T x138 = T(1.594451775) * x59 - x131;
+  const T x139 = T(0.12652256366625) * x57 + T(0.0011795599999999996) * x60 + w[4] * x133 - w[5] * x132;
+  const T x140 = T(0.677642004375) * x38 + T(0.12652256366625) * x64 + T(0.57063187374375) * x59 - T(0.39225) * x131 + w[5] * x133 + w[4] * x132;
+  const T x141 = x134 + T(0.0011795599999999996) * x56 + T(0.57063187374375) * x57 + T(0.12652256366625) * x58 + T(1.594451775) * x50 - T(0.39225) * x135;
+  tau[2] = x141;
   // forearm, force
-  const T x143 = w[3] * x138 - w[2] * x137;
-  const T x144 = T(0.34930028562500004) * x37 + T(0.006118499999999999) * x39 + w[2] * x141 + w[3] * x140;
-  const T x145 = T(0.34930028562500004) * x40 - T(0.34930028562500004) * x35 + T(1.40048834375) * x38 + T(0.425) * x139 + w[3] * x141 - w[2] * x140;
-  const T x146 = x142 - T(38.1586437) * w[1] + T(0.34930028562500004) * x31 + T(0.006118499999999999) * x36 + T(1.40048834375) * x37 + T(0.425) * x143;
-  tau[1] = x146;
+  const T x142 = w[3] * x137 - w[2] * x136;
+  const T x143 = T(0.34930028562500004) * x37 + T(0.006118499999999999) * x39 + w[2] * x140 + w[3] * x139;
+  const T x144 = T(0.34930028562500004) * x43 + T(1.40048834375) * x38 + T(0.425) * x138 + w[3] * x140 - w[2] * x139;
+  const T x145 = x141 - T(38.1586437) * w[1] + T(0.34930028562500004) * x31 + T(0.006118499999999999) * x36 + T(1.40048834375) * x37 + T(0.425) * x142;
+  tau[1] = x145;
   // upper_arm, force
-  const T x147 = T(0.15528727895555) * a[0] - w[1] * x145 + w[0] * x144;
-  tau[0] = x147;
+  const T x146 = T(0.15528727895555) * a[0] - w[1] * x144 + w[0] * x143;
+  tau[0] = x146;
 }
 
 }  // namespace rnea_parts
@@ -143,7 +141,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
 /// in  v: 6 entries; rad/s, m/s; velocity; floating joints linear, angular in the body frame
 /// in  a: 6 entries; rad/s^2, m/s^2; time derivative of v
 /// out tau: 6 entries; N m, N; joint forces; floating joints force, moment in the body frame
-/// 56 mul, 8 add, 138 fma, 0 div, 0 sqrt, 5 sincos.
+/// 56 mul, 8 add, 133 fma, 0 div, 0 sqrt, 5 sincos.
 template <class T>
 void rnea(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT tau) noexcept {
   T w[10];

@@ -8,6 +8,7 @@
 
 #include "ur5_raw.hpp"
 
+namespace ur5_selftest {
 namespace {
 
 constexpr int kStates = 4;
@@ -107,28 +108,31 @@ void worst(double& error, double candidate) {
   if (!(candidate <= error)) error = candidate;
 }
 
-}  // namespace
-
-int main() {
+int run() {
   namespace sparsity = ur5::sparsity;
-  double rnea_error = 0;
+  double rnea_tau_error = 0;
   for (int s = 0; s < kStates; ++s) {
-    double out[6];
-    ur5::raw::rnea<double>(q[s], v[s], a[s], out);
-    worst(rnea_error, relative_error(out, rnea_tau[s], 6));
+    double out0[6];
+    ur5::raw::rnea<double>(q[s], v[s], a[s], out0);
+    worst(rnea_tau_error, relative_error(out0, rnea_tau[s], 6));
   }
-  report("rnea", rnea_error, 1e-11);
-  double crba_error = 0;
+  report("rnea", rnea_tau_error, 1e-11);
+  double crba_M_error = 0;
   for (int s = 0; s < kStates; ++s) {
-    double out[20];
-    ur5::raw::crba<double>(q[s], out);
-    double dense[36] = {};
+    double out0[20];
+    ur5::raw::crba<double>(q[s], out0);
+    double dense0[36] = {};
     for (int k = 0; k < 20; ++k) {
-      dense[sparsity::crba_M_row[k] * 6 + sparsity::crba_M_col[k]] = out[k];
-      dense[sparsity::crba_M_col[k] * 6 + sparsity::crba_M_row[k]] = out[k];
+      dense0[sparsity::crba_M_row[k] * 6 + sparsity::crba_M_col[k]] = out0[k];
+      dense0[sparsity::crba_M_col[k] * 6 + sparsity::crba_M_row[k]] = out0[k];
     }
-    worst(crba_error, relative_error(dense, crba_M[s], 36));
+    worst(crba_M_error, relative_error(dense0, crba_M[s], 36));
   }
-  report("crba", crba_error, 1e-11);
+  report("crba", crba_M_error, 1e-11);
   return failures == 0 ? 0 : 1;
 }
+
+}  // namespace
+}  // namespace ur5_selftest
+
+int main() { return ur5_selftest::run(); }
