@@ -29,13 +29,14 @@ std::vector<double> rounded(std::vector<double> values) {
   return values;
 }
 
-/// What is known to `tolerance` of the largest entry, to a tenth of that: differences also leave
-/// such noise where there is nothing.
+/// Results known to `tolerance` of the largest entry to a tenth of that: differences leave noise
+/// also where there is nothing.
 std::vector<double> rounded(std::vector<double> values, double tolerance) {
+  if (tolerance <= Argument().tolerance) return rounded(std::move(values));
   double largest = 0;
   for (const double x : values) largest = std::max(largest, std::fabs(x));
   int decimals = 0;
-  for (double unit = 10; unit > tolerance * largest && decimals < 12; unit /= 10) ++decimals;
+  for (double unit = 10; unit > tolerance * largest && decimals < 30; unit /= 10) ++decimals;
   for (double& x : values) x = parse_finite(fmt::format("{:.{}f}", x, decimals)).value_or(x) + 0.0;
   return rounded(std::move(values));
 }
@@ -130,9 +131,7 @@ void record(const Model& model, TargetModel& target) {
     for (const TargetFunction& f : target.functions) {
       Values results = evaluate_reference(f.signature.name, model, reference, inputs);
       for (const Argument& a : f.signature.outputs)
-        v[f.signature.name + "." + a.name] = a.name == "dtau_dq" || a.name == "dtau_dv"
-                                                 ? rounded(std::move(results[a.name]), 1e-9)
-                                                 : rounded(std::move(results[a.name]));
+        v[f.signature.name + "." + a.name] = rounded(std::move(results[a.name]), a.tolerance);
     }
     target.recordings.push_back(std::move(recording));
   }

@@ -44,7 +44,7 @@ int run_compile(const Common& common, const std::string& out, const std::string&
     if (stage.empty()) {
       fmt::print("{}/{}\n", out, target.name);
       for (const TargetFunction& f : target.functions)
-        fmt::print("  {:<8} {:6} operations, {:3} sincos\n", f.signature.name,
+        fmt::print("  {:<16} {:6} operations, {:3} sincos\n", f.signature.name,
                    f.program.ops.total(), f.program.ops.sincos);
     }
   }

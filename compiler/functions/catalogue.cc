@@ -58,19 +58,17 @@ Argument input_argument(char letter, const DynamicTree& tree) {
   }
 }
 
-Argument matrix(const std::string& name, const DynamicTree& tree, const char* unit,
-                const char* meaning) {
-  return {name, tree.nv, tree.nv, unit, meaning, true, false};
-}
-
 Argument symmetric_matrix(const std::string& name, const DynamicTree& tree, const char* unit,
                           const char* meaning) {
   return {name, tree.nv, tree.nv, unit, meaning, true, true};
 }
 
-/// The reference engine has no derivatives: it takes differences in q, 1e-12 where the results are
-/// of the size of the forces, less where these are larger.
-constexpr double kDifferences = 1e-9;
+/// The reference engine has no derivatives but differences.  Relative to the forces they are good
+/// for some 1e-12, and 1e-15 in v; derivatives may be smaller than forces.
+Argument derivative(const std::string& name, const DynamicTree& tree, const char* unit,
+                    const char* meaning, double tolerance) {
+  return {name, tree.nv, tree.nv, unit, meaning, true, false, tolerance};
+}
 
 Argument output_argument(const std::string& name, const DynamicTree& tree) {
   if (name == "placements")
@@ -81,15 +79,14 @@ Argument output_argument(const std::string& name, const DynamicTree& tree) {
     return symmetric_matrix(name, tree, "kg m^2, kg m, kg", "kinetic energy is v M v / 2");
   if (name == "Minv")
     return symmetric_matrix(name, tree, "1/(kg m^2), 1/(kg m), 1/kg", "inverse of M");
-  if (name == "dtau_dq") {
-    Argument a = matrix(name, tree, "N m, N, N/m",
-                        "derivative of tau with respect to q; q of floating and planar joints "
-                        "moves along the body's axes");
-    a.tolerance = kDifferences;
-    return a;
-  }
+  if (name == "dtau_dq")
+    return derivative(name, tree, "N m, N, N/m",
+                      "derivative of tau with respect to q; floating and planar joints move along "
+                      "their body's axes",
+                      1e-9);
   if (name == "dtau_dv")
-    return matrix(name, tree, "N m s, N s, N s/m", "derivative of tau with respect to v");
+    return derivative(name, tree, "N m s, N s, N s/m", "derivative of tau with respect to v",
+                      1e-10);
   if (name == "qdd") return {name, tree.nv, 1, "rad/s^2, m/s^2", "time derivative of v"};
   return {name, tree.nv, 1, "N m, N",
           "joint forces; floating joints force, moment in the body frame"};

@@ -108,6 +108,16 @@ TEST(EmittedDerivatives, FillInTheMatricesThatAreWanted) {
   expect_near(M, expected.at("M"), "M");
 }
 
+TEST(EmittedDerivatives, PassTheirSelftest) {
+  const CompileOptions options = derivatives_only();
+  const Compilation compilation = compile_robot("all_joints", Base::kFixed, options);
+  const cli::TemporaryFolder folder;
+  const cli::Library library(
+      cli::build_library(compiler(), folder.path(), emit_cpp(target(compilation, options)),
+                         {"all_joints_rnea_derivatives_double.cpp", "all_joints_selftest.cpp"}));
+  EXPECT_EQ(reinterpret_cast<int (*)()>(library.symbol("main"))(), 0);
+}
+
 TEST(EmittedDerivatives, MayBeZeroByStructure) {
   Model model;
   model.name = "slide";
