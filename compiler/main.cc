@@ -109,6 +109,9 @@ int run(CLI::App& app, const Arguments& args, int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     app.exit(e);
     return kUsage;
+  } catch (const UsageError& e) {
+    app.exit(CLI::ParseError(e.what(), CLI::ExitCodes::ValidationError));
+    return kUsage;
   } catch (const InputError& e) {
     return failed(kInput, e.what());
   } catch (const OutputError& e) {

@@ -58,6 +58,12 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The command line asks for what there is not.  Exit status 1.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// The results cannot be written.  Exit status 3.
 class OutputError : public std::runtime_error {
  public:

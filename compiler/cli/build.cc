@@ -115,7 +115,7 @@ std::vector<std::string> compiler_command(const Common& common) {
   std::vector<std::string> command = words(!common.cxx.empty()     ? common.cxx
                                            : variable && *variable ? variable
                                                                    : "c++");
-  if (command.empty()) throw CLI::ValidationError("--cxx", "no command");
+  if (command.empty()) throw UsageError("--cxx: no command");
   for (const std::string& flag : words(common.cxxflags)) command.push_back(flag);
   command.emplace_back("-fPIC");
   return command;

@@ -106,17 +106,16 @@ std::vector<std::string> function_list(const std::string& text) {
   std::vector<std::string> names;
   std::istringstream list(text);
   for (std::string name; std::getline(list, name, ',');) {
-    if (!is_function(name)) throw unknown_function("--functions", name);
+    if (!is_function(name)) unknown_function("--functions", name);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
-  if (names.empty()) throw CLI::ValidationError("--functions", "the list is empty");
+  if (names.empty()) throw UsageError("--functions: the list is empty");
   return names;
 }
 
-CLI::ValidationError unknown_function(const std::string& option, const std::string& name) {
-  return CLI::ValidationError(option,
-                              fmt::format("unknown function '{}'; known are {}", printable(name),
-                                          fmt::join(function_names(), ", ")));
+void unknown_function(const std::string& option, const std::string& name) {
+  throw UsageError(fmt::format("{}: unknown function '{}'; known are {}", option, printable(name),
+                               fmt::join(function_names(), ", ")));
 }
 
 void print_diagnostics(const Diagnostics& diagnostics, bool notes) {

@@ -1,11 +1,14 @@
 // What the subcommands share: model options, reading, reporting, exit statuses.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "compile.h"
 #include "model/model.h"
+
+namespace CLI {
+class App;
+}
 
 namespace arboc::cli {
 
@@ -52,10 +55,10 @@ void add_model_options(CLI::App& app, Common& common);
 void add_function_option(CLI::App& app, Common& common);
 void add_compiler_options(CLI::App& app, Common& common);
 
-/// `rnea,crba` or `all` -> names; throws CLI::ValidationError for an unknown one.
+/// `rnea,crba` or `all` -> names; throws UsageError for an unknown one.
 std::vector<std::string> function_list(const std::string& text);
-/// The error of an unknown function given to `option`.
-CLI::ValidationError unknown_function(const std::string& option, const std::string& name);
+/// Throws UsageError: `option` was given an unknown function.
+[[noreturn]] void unknown_function(const std::string& option, const std::string& name);
 
 /// Reads the model; prints errors and warnings to stderr.  Throws InputError.
 Model read(const Common& common, Diagnostics& diagnostics);

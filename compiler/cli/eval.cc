@@ -43,7 +43,7 @@ std::vector<Values> read_states(const EvalOptions& options, const CompiledFuncti
     const Argument& a = f.signature.inputs[k];
     const std::string& file = files.at(a.name);
     if (file.empty() && used[k])
-      throw CLI::RequiredError(fmt::format("--{} (an input of {})", a.name, f.signature.name));
+      throw UsageError(fmt::format("--{} (an input of {}) is required", a.name, f.signature.name));
     if (file.empty()) continue;
     const auto rows = read_csv(file, a.rows);
     if (states.empty()) states.resize(rows.size());
@@ -99,7 +99,7 @@ Engine make_engine(const std::string& name, const Common& common, const CompileO
 
 int run_eval(const Common& common, const EvalOptions& eval) {
   CompileOptions options = common.compile;
-  if (!is_function(eval.function)) throw unknown_function("--function", eval.function);
+  if (!is_function(eval.function)) unknown_function("--function", eval.function);
   options.functions = {eval.function};
   const Compilation compilation = compiled(common, options);
   const CompiledFunction& f = compilation.functions.front();
@@ -107,9 +107,8 @@ int run_eval(const Common& common, const EvalOptions& eval) {
   for (const Argument& a : f.signature.outputs) outputs.push_back(a.name);
   if (!eval.output.empty() &&
       std::find(outputs.begin(), outputs.end(), eval.output) == outputs.end())
-    throw CLI::ValidationError("--output",
-                               fmt::format("{} has no output '{}', but {}", eval.function,
-                                           printable(eval.output), fmt::join(outputs, ", ")));
+    throw UsageError(fmt::format("--output: {} has no output '{}', but {}", eval.function,
+                                 printable(eval.output), fmt::join(outputs, ", ")));
   const std::vector<Values> states = read_states(eval, f);
   if (states.front().contains("q")) warn_about_quaternions(compilation.model, states);
   const Engine engine = make_engine(eval.engine, common, options, compilation);

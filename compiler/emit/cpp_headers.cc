@@ -101,7 +101,7 @@ std::string sparsity(const TargetModel& model) {
 std::string eigen_type(const TargetModel& model, const Argument& a) {
   if (a.name == "q") return "Config";
   if (a.cols == 1 && a.rows == model.nv) return "Tangent";
-  if (a.symmetric) return "Matrix";
+  if (a.sparse && a.rows == model.nv && a.cols == model.nv) return "Matrix";
   return fmt::format("Eigen::Matrix<double, {}, {}, Eigen::RowMajor>", a.rows, a.cols);
 }
 
