@@ -81,8 +81,8 @@ inline Tangent aba(const Config& q, const Tangent& v, const Tangent& tau, int* s
 
 /// Outputs of rnea_derivatives; those left null are not wanted.
 struct RneaDerivatives {
-  Eigen::Matrix<double, 2, 2, Eigen::RowMajor>* dtau_dq = nullptr;
-  Eigen::Matrix<double, 2, 2, Eigen::RowMajor>* dtau_dv = nullptr;
+  Matrix* dtau_dq = nullptr;
+  Matrix* dtau_dv = nullptr;
   Matrix* M = nullptr;
 };
 /// First derivatives of inverse dynamics with respect to q, v and a.

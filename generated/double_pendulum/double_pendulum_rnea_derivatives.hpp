@@ -67,7 +67,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
 /// in  q: 2 entries; rad, m; configuration; quaternions x y z w of length 1
 /// in  v: 2 entries; rad/s, m/s; velocity; floating joints linear, angular in the body frame
 /// in  a: 2 entries; rad/s^2, m/s^2; time derivative of v
-/// out dtau_dq: 4 structural non-zeros of 2 x 2 by columns; N m, N, N/m; derivative of tau with respect to q; q of floating and planar joints moves along the body's axes
+/// out dtau_dq: 4 structural non-zeros of 2 x 2 by columns; N m, N, N/m; derivative of tau with respect to q; floating and planar joints move along their body's axes
 /// out dtau_dv: 3 structural non-zeros of 2 x 2 by columns; N m s, N s, N s/m; derivative of tau with respect to v
 /// out M: 3 structural non-zeros of 2 x 2 by columns, upper triangle; kg m^2, kg m, kg; kinetic energy is v M v / 2
 /// 15 mul, 6 add, 7 fma, 0 div, 0 sqrt, 2 sincos.
