@@ -88,9 +88,9 @@ TEST(RandomGraphs, FuseNeverCostsOperations) {
     const OpCount a = schedule(before).ops, b = schedule(run_passes(before)).ops;
     EXPECT_LE(b.total(), a.total()) << "ARBOC_SEED=" << seed;
     EXPECT_LE(b.mul + b.fma, a.mul + a.fma + a.add) << "ARBOC_SEED=" << seed;
-    EXPECT_EQ(b.div, a.div);
-    EXPECT_EQ(b.sqrt, a.sqrt);
-    EXPECT_EQ(b.sincos, a.sincos);
+    EXPECT_LE(b.div, a.div);
+    EXPECT_LE(b.sqrt, a.sqrt);
+    EXPECT_LE(b.sincos, a.sincos);
   }
 }
 

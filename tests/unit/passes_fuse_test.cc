@@ -30,7 +30,7 @@ const Case kRoots[] = {
     {"(a + b) * c", "c * sum(a, b)"},
     {"a + b; a + b + c", "sum(a, b); sum(c, sum(a, b))"},
     {"sin(a + b) + (a + b)", "sum(sum(a, b), sin(sum(a, b)))"},
-    {"a + 2 + b", "sum(b, a, 2)"},
+    {"a + 2 + b", "sum(2, b, a)"},
     {"sqrt(a)", "sqrt(a)"},
     {"a; -b; 3", "a; -b; 3"},
 };
