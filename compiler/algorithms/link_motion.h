@@ -3,7 +3,7 @@
 // dv is the classical acceleration of the frame's origin, and U r that of a point r beyond it,
 //   U = [dw] + [w]^2 = [dw] + w w^T - (w.w) 1,
 // so one matrix serves the children's origins, the force and the moment.  Gravity enters as an
-// acceleration of the world by -g.  RECURSIONS section 3 (docs/theory).
+// acceleration of the world by -g.  docs/theory.md section 3.
 #pragma once
 #include "algorithms/joint.h"
 

@@ -2,7 +2,7 @@
 //
 // q changes in the tangent space: the joint moves its body by a small (d, t) along the body's own
 // axes, E <- E (1 + [t]), p <- p + E d.  Of the three vectors that arrive from the parent w and dw
-// then turn, and dv changes with the place too.  RECURSIONS section 5 (docs/theory).
+// then turn, and dv changes with the place too.  docs/theory.md section 5.
 #pragma once
 #include "algorithms/link_motion.h"
 #include "algorithms/wrench.h"

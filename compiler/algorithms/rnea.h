@@ -1,4 +1,4 @@
-// Inverse dynamics: q, v, a -> tau.  Newton-Euler with second moments, RECURSIONS section 3.
+// Inverse dynamics: q, v, a -> tau.  Newton-Euler with second moments, docs/theory.md section 3.
 //
 //   f = m dv + U h,   n = ax(U Sigma) + h x dv,   ax(P) = (P_zy - P_yz, P_xz - P_zx, P_yx - P_xy)
 // The moment is I dw + w x I w in 18 products: only the 6 off-diagonal entries of U Sigma occur.

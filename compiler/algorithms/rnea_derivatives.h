@@ -1,6 +1,6 @@
 // First derivatives of inverse dynamics: q, v, a -> dtau/dq, dtau/dv, dtau/da = M.
 //
-// One pass over the pairs (joint, ancestor), RECURSIONS section 5 (docs/theory).  Of each pair
+// One pass over the pairs (joint, ancestor), docs/theory.md section 5.  Of each pair
 //   rows of the ancestor     come from wrenches on the subtree, carried up as in crba;
 //   columns of the ancestor  come from the third of these, M's, and one vector b carried with it.
 // Seen from the non-rotating frame that moves with a body's origin, points of its subtree have

@@ -3,7 +3,7 @@
 // A planar rotation costs 4 operations a vector, a dense one 9, so the algorithms never form a
 // rotation matrix: every constant placement is Rz Rx Rz, every joint turns about z.  C is T or
 // double; where a constant cosine or sine is 0 or +-1 the traced operation folds away.
-// RECURSIONS section 6 (docs/theory).
+// docs/theory.md section 6.
 #pragma once
 #include "spatial/matrix3.h"
 

@@ -1,7 +1,7 @@
 // Model -> DynamicTree: merge fixed joints, turn axes to z, choose frames, regroup inertias.
 //
 // Each step is value-preserving: tau, M and all their derivatives stay what they were up to
-// rounding.  Steps and their order are those of RECURSIONS section 2 (docs/theory).
+// rounding.  Steps and their order are those of docs/theory.md section 2.
 #pragma once
 #include <string>
 
