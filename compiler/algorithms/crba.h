@@ -1,4 +1,5 @@
-// Joint-space inertia: q -> M.  Composite rigid bodies with second moments, docs/theory.md section 4.
+// Joint-space inertia: q -> M.  Composite rigid bodies with second moments,
+// docs/theory.md section 4.
 //
 // Column j is the wrench on the subtree of j under a unit acceleration of coordinate j, felt at j
 // and, carried up, at every ancestor.  Bodies on different branches share no entry.

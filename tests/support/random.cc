@@ -1,6 +1,7 @@
 #include "support/random.h"
 
 #include <cmath>
+#include <algorithm>
 #include <cstdlib>
 #include <numeric>
 
@@ -26,7 +27,9 @@ Eigen::VectorXd Random::direction(int n) {
 
 std::vector<std::uint64_t> seeds(int n) {
   if (const char* text = std::getenv("ARBOC_SEED")) return {std::strtoull(text, nullptr, 10)};
-  std::vector<std::uint64_t> result(static_cast<size_t>(n));
+  const char* factor = std::getenv("ARBOC_TEST_STATES");
+  const auto times = factor ? std::max(1ul, std::strtoul(factor, nullptr, 10)) : 1ul;
+  std::vector<std::uint64_t> result(static_cast<size_t>(n) * times);
   std::iota(result.begin(), result.end(), 1);
   return result;
 }
