@@ -1,7 +1,7 @@
 #include "support/random.h"
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <numeric>
 
