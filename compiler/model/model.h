@@ -69,8 +69,11 @@ struct Joint {
   /// planar moves in the plane normal to it.
   Vector3<double> axis{1, 0, 0};
   Limits limits;
-  double damping = 0;   ///< N m s/rad or N s/m
-  double friction = 0;  ///< N m or N
+  double damping = 0;        ///< N m s/rad or N s/m
+  double friction = 0;       ///< N m or N
+  double stiffness = 0;      ///< N m/rad or N/m, of a spring that is at rest at `neutral`
+  double neutral = 0;        ///< rad or m
+  double rotor_inertia = 0;  ///< kg m^2 or kg, of the drive as the joint feels it (gear squared)
   std::optional<Mimic> mimic;
   Location location;
 };
@@ -98,6 +101,13 @@ int nv(JointType type);
 /// same with the first two columns' second one reversed; otherwise x is the projection of the
 /// coordinate axis nearest to the plane (the first one if several are).
 Matrix3<double> axis_frame(const Vector3<double>& axis);
+
+/// Where and along which axes the velocity of a frame, a Jacobian or a wrench is taken.
+enum class Axes {
+  kLocal,    ///< at the frame's origin, along the frame's axes
+  kWorld,    ///< of the point that passes the world's origin, along the world's axes
+  kAligned,  ///< at the frame's origin, along the world's axes
+};
 
 enum class Base { kFixed, kFloating };
 enum class MimicPolicy { kFollow, kIndependent };
