@@ -129,7 +129,7 @@ TargetModel target(const Compilation& compilation, const CompileOptions& options
   for (const CompiledFunction& f : compilation.functions) {
     target.functions.push_back({f.signature, f.patterns, f.program});
     if (f.signature.name != "fk") continue;
-    for (const Frame& frame : f.tree.frame)
+    for (const FrameOf<double>& frame : f.tree.frame)
       if (frame.moving) target.frame_names.push_back(frame.name);
   }
   record(model, target);

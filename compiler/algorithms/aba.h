@@ -17,7 +17,8 @@ struct AbaWorkspace {
   std::vector<T> D_inverse;  ///< nv
   std::vector<int> body;     ///< per coordinate
 
-  explicit AbaWorkspace(const DynamicTree& tree)
+  template <class Tree>
+  explicit AbaWorkspace(const Tree& tree)
       : bias(tree),
         composite(tree.body.size()),
         M(static_cast<size_t>(tree.nv) * tree.nv),
@@ -27,9 +28,9 @@ struct AbaWorkspace {
 
 /// q (nq), v, tau (nv) -> qdd (nv) and the pivots D of M (nv).  A pivot that is not positive says
 /// that M is not positive definite, and then qdd means nothing.
-template <class T>
-void aba(const DynamicTree& tree, AbaWorkspace<T>& work, const T* q, const T* v, const T* tau,
-         T* qdd, T* pivots) {
+template <class Tree, class T>
+void aba(const Tree& tree, AbaWorkspace<T>& work, const T* q, const T* v, const T* tau, T* qdd,
+         T* pivots) {
   Poses<T>& pose = work.bias.pose;
   pose.update(tree, q);
   newton_euler<false>(tree, pose, work.bias, q, v, static_cast<const T*>(nullptr), qdd);

@@ -30,14 +30,14 @@ struct CrbaWorkspace {
   Poses<T> pose;
   std::vector<Composite<T>> composite;
 
-  explicit CrbaWorkspace(const DynamicTree& tree) : pose(tree), composite(tree.body.size()) {}
+  template <class Tree>
+  explicit CrbaWorkspace(const Tree& tree) : pose(tree), composite(tree.body.size()) {}
 };
 
 /// That of a body alone.
-template <class T>
-Composite<T> own_composite(const MassMoments& I) {
-  const Symmetric3<double>& S = I.Sigma;
-  return {T(I.m), cast<T>(I.h), {T(S.xx), T(S.yy), T(S.zz), T(S.xy), T(S.xz), T(S.yz)}};
+template <class T, class S>
+Composite<T> own_composite(const MassMomentsOf<S>& I) {
+  return {T(I.m), cast<T>(I.h), cast<T>(I.Sigma)};
 }
 
 /// The wrench that gives the subtree a unit acceleration in `component` of (linear, angular).
@@ -92,16 +92,16 @@ ARBOC_INLINE void add_entries(const Body& row, const Body& column, int d, const 
 }
 
 /// The recursion behind crba; the poses are up to date.
-template <class T, class Matrix>
-void composite_bodies(const DynamicTree& tree, const Poses<T>& pose,
-                      std::vector<Composite<T>>& composite, const T* q, Matrix& M) {
+template <class Tree, class T, class Matrix>
+void composite_bodies(const Tree& tree, const Poses<T>& pose, std::vector<Composite<T>>& composite,
+                      const T* q, Matrix& M) {
   for (int j = 0; j < tree.nv; ++j) {
     M(j, j) = T(0);
     for (const int i : tree.coupled[j]) M(i, j) = T(0);
   }
   for (int i = 1; i <= tree.nb(); ++i) composite[i] = own_composite<T>(tree.body[i].inertia);
   for (int j = tree.nb(); j > 0; --j) {
-    const Body& body = tree.body[j];
+    const auto& body = tree.body[j];
     enter_block(q, body.link, "column");
     for (int d = 0; d < freedoms(body.motion); ++d) {
       Wrench<T> wrench = unit_wrench(composite[j], component(body.motion, d));
@@ -120,8 +120,8 @@ void composite_bodies(const DynamicTree& tree, const Poses<T>& pose,
 
 /// q (nq) -> M(j, j) and M(i, j) for i in tree.coupled[j]; no other entry is touched.
 /// Matrix: T& operator()(int i, int j), asked for i <= j.
-template <class T, class Matrix>
-void crba(const DynamicTree& tree, CrbaWorkspace<T>& work, const T* q, Matrix&& M) {
+template <class Tree, class T, class Matrix>
+void crba(const Tree& tree, CrbaWorkspace<T>& work, const T* q, Matrix&& M) {
   work.pose.update(tree, q);
   composite_bodies(tree, work.pose, work.composite, q, M);
 }

@@ -15,7 +15,8 @@ struct FkWorkspace {
   Poses<T> pose;
   std::vector<Link> link;
 
-  explicit FkWorkspace(const DynamicTree& tree) : pose(tree), link(tree.body.size()) {
+  template <class Tree>
+  explicit FkWorkspace(const Tree& tree) : pose(tree), link(tree.body.size()) {
     const T o(0), one(1);
     link[0] = {{one, o, o}, {o, one, o}, {o, o, one}, {o, o, o}};
   }
@@ -23,12 +24,12 @@ struct FkWorkspace {
 
 /// q (nq) -> per entry of `frames` (indices into tree.frame) the rotation, row-major, and the
 /// origin in world axes: 12 numbers a frame.
-template <class T>
-void fk(const DynamicTree& tree, FkWorkspace<T>& work, const T* q, const std::vector<int>& frames,
+template <class Tree, class T>
+void fk(const Tree& tree, FkWorkspace<T>& work, const T* q, const std::vector<int>& frames,
         T* out) {
   work.pose.update(tree, q);
   for (int i = 1; i <= tree.nb(); ++i) {
-    const Body& body = tree.body[i];
+    const auto& body = tree.body[i];
     enter_block(q, body.link, "placement");
     const JointPose<T>& pose = work.pose[i];
     const auto& parent = work.link[body.parent];
@@ -40,7 +41,7 @@ void fk(const DynamicTree& tree, FkWorkspace<T>& work, const T* q, const std::ve
     link.row_z = down(body, pose, parent.row_z);
   }
   for (const int k : frames) {
-    const Frame& frame = tree.frame[k];
+    const auto& frame = tree.frame[k];
     enter_block(q, frame.name, "frame");
     const auto& link = work.link[frame.body];
     const auto write_row = [&](const Vector3<T>& row, const T& x, T* rotation, T& position) {

@@ -3,6 +3,7 @@
 // All links accelerate by -g, so the wrench on a subtree is m dv and h x dv with its composite mass
 // and first moment about the joint's origin: one vector goes down and one comes up.
 #pragma once
+#include "algorithms/link_motion.h"
 #include "algorithms/wrench.h"
 
 namespace arboc {
@@ -17,18 +18,18 @@ struct GravityWorkspace {
   Poses<T> pose;
   std::vector<Link> link;
 
-  explicit GravityWorkspace(const DynamicTree& tree) : pose(tree), link(tree.body.size()) {
-    const Vector3<double>& g = tree.gravity;
-    link[0].dv = cast<T>(Vector3<double>{0 - g.x, 0 - g.y, 0 - g.z});
+  template <class Tree>
+  explicit GravityWorkspace(const Tree& tree) : pose(tree), link(tree.body.size()) {
+    link[0].dv = world_acceleration<T>(tree);
   }
 };
 
 /// q (nq) -> g (nv).
-template <class T>
-void gravity(const DynamicTree& tree, GravityWorkspace<T>& work, const T* q, T* g) {
+template <class Tree, class T>
+void gravity(const Tree& tree, GravityWorkspace<T>& work, const T* q, T* g) {
   work.pose.update(tree, q);
   for (int i = 1; i <= tree.nb(); ++i) {
-    const Body& body = tree.body[i];
+    const auto& body = tree.body[i];
     enter_block(q, body.link, "motion");
     auto& link = work.link[i];
     link.dv = down(body, work.pose[i], work.link[body.parent].dv);
@@ -37,7 +38,7 @@ void gravity(const DynamicTree& tree, GravityWorkspace<T>& work, const T* q, T* 
   }
   for (int k = 0; k < tree.nv; ++k) g[k] = T(0);
   for (int i = tree.nb(); i > 0; --i) {
-    const Body& body = tree.body[i];
+    const auto& body = tree.body[i];
     enter_block(q, body.link, "force");
     const auto& link = work.link[i];
     add_joint_force(body, Wrench<T>{link.m * link.dv, cross(link.h, link.dv)}, g);

@@ -39,8 +39,8 @@ ARBOC_INLINE Vector3<T> out_of_joint(const Body& body, const Vector3<T>& a) {
 }
 
 /// The pose as far as it does not depend on q.
-template <class T>
-JointPose<T> constant_pose(const Body& body) {
+template <class T, class S>
+JointPose<T> constant_pose(const BodyOf<S>& body) {
   JointPose<T> pose;
   pose.turn = {T(body.theta.c), T(body.theta.s)};
   pose.p = cast<T>(body.c);
@@ -54,8 +54,8 @@ PlanarRotation<T> joint_turn(const Body& body, const T& angle) {
   return compose(body.theta, turn);
 }
 
-template <class T>
-ARBOC_INLINE void update_pose(const Body& body, const T* q, JointPose<T>& pose) {
+template <class S, class T>
+ARBOC_INLINE void update_pose(const BodyOf<S>& body, const T* q, JointPose<T>& pose) {
   switch (body.motion) {
     case Motion::kWorld: break;
     case Motion::kRevolute: pose.turn = joint_turn(body, coordinate(body, q)); break;
@@ -109,11 +109,13 @@ template <class T>
 struct Poses {
   std::vector<JointPose<T>> joint;
 
-  explicit Poses(const DynamicTree& tree) {
+  template <class Tree>
+  explicit Poses(const Tree& tree) {
     joint.reserve(tree.body.size());
-    for (const Body& body : tree.body) joint.push_back(constant_pose<T>(body));
+    for (const auto& body : tree.body) joint.push_back(constant_pose<T>(body));
   }
-  void update(const DynamicTree& tree, const T* q) {
+  template <class Tree>
+  void update(const Tree& tree, const T* q) {
     for (int i = 1; i <= tree.nb(); ++i) {
       enter_block(q, tree.body[i].link, "pose");
       update_pose(tree.body[i], q, joint[i]);

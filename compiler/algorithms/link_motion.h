@@ -18,15 +18,18 @@ struct LinkMotion {
   Matrix3<T> U;   ///< 1/s^2
 };
 
-template <class T>
-LinkMotion<T> world_motion(const DynamicTree& tree) {
+/// -g, without negative zeros.
+template <class T, class Tree>
+Vector3<T> world_acceleration(const Tree& tree) {
+  const Vector3<T> g = cast<T>(tree.gravity);
+  return {T(0) - g.x, T(0) - g.y, T(0) - g.z};
+}
+
+template <class T, class Tree>
+LinkMotion<T> world_motion(const Tree& tree) {
   const Vector3<T> zero{T(0), T(0), T(0)};
-  const Vector3<double>& g = tree.gravity;
   const T o(0);
-  return {zero,
-          zero,
-          cast<T>(Vector3<double>{0 - g.x, 0 - g.y, 0 - g.z}),
-          {{{o, o, o}, {o, o, o}, {o, o, o}}}};
+  return {zero, zero, world_acceleration<T>(tree), {{{o, o, o}, {o, o, o}, {o, o, o}}}};
 }
 
 template <class T>

@@ -12,7 +12,8 @@
 namespace arboc {
 
 /// Per coordinate a link that it moves: whose block the work on its row belongs to.
-inline std::vector<int> body_of_coordinate(const DynamicTree& tree) {
+template <class Tree>
+std::vector<int> body_of_coordinate(const Tree& tree) {
   std::vector<int> body(tree.nv);
   for (int i = tree.nb(); i > 0; --i)
     for (int d = 0; d < freedoms(tree.body[i].motion); ++d) body[tree.body[i].v + d] = i;
@@ -20,9 +21,8 @@ inline std::vector<int> body_of_coordinate(const DynamicTree& tree) {
 }
 
 /// Factorises in place; D_inverse (nv) receives the reciprocals of the pivots.
-template <class T, class Matrix>
-void ltdl(const DynamicTree& tree, const std::vector<int>& body, const T* q, Matrix& M,
-          T* D_inverse) {
+template <class Tree, class T, class Matrix>
+void ltdl(const Tree& tree, const std::vector<int>& body, const T* q, Matrix& M, T* D_inverse) {
   for (int k = tree.nv - 1; k >= 0; --k) {
     enter_block(q, tree.body[body[k]].link, "factor");
     const std::vector<int>& row = tree.coupled[k];
@@ -37,8 +37,8 @@ void ltdl(const DynamicTree& tree, const std::vector<int>& body, const T* q, Mat
 }
 
 /// x <- (L^T D L)^-1 x.
-template <class T, class Matrix>
-void solve(const DynamicTree& tree, const Matrix& LD, const T* D_inverse, T* x) {
+template <class Tree, class T, class Matrix>
+void solve(const Tree& tree, const Matrix& LD, const T* D_inverse, T* x) {
   for (int k = tree.nv - 1; k >= 0; --k) {
     for (const int i : tree.coupled[k]) x[i] = x[i] - LD(i, k) * x[k];
     x[k] = x[k] * D_inverse[k];

@@ -18,7 +18,8 @@ struct MinvWorkspace {
   std::vector<std::vector<int>> path;  ///< per coordinate its elimination path, itself first
   std::vector<int> body;               ///< per coordinate
 
-  explicit MinvWorkspace(const DynamicTree& tree)
+  template <class Tree>
+  explicit MinvWorkspace(const Tree& tree)
       : crba(tree),
         M(static_cast<size_t>(tree.nv) * tree.nv),
         W(M.size()),
@@ -35,8 +36,8 @@ struct MinvWorkspace {
 };
 
 /// Row k of W = L^-1: x <- L^-T e_k, which is zero outside the path.
-template <class T>
-void invert_row(const DynamicTree& tree, MinvWorkspace<T>& work, int k) {
+template <class Tree, class T>
+void invert_row(const Tree& tree, MinvWorkspace<T>& work, int k) {
   const UpperTriangle<T> L{work.M.data(), tree.nv};
   T* x = work.W.data() + static_cast<size_t>(k) * tree.nv;
   T* y = work.V.data() + static_cast<size_t>(k) * tree.nv;
@@ -50,8 +51,8 @@ void invert_row(const DynamicTree& tree, MinvWorkspace<T>& work, int k) {
 
 /// q (nq) -> Minv(i, j) for all i <= j; zero where no path is shared.
 /// Matrix: T& operator()(int i, int j), asked for i <= j.
-template <class T, class Matrix>
-void minv(const DynamicTree& tree, MinvWorkspace<T>& work, const T* q, Matrix&& Minv) {
+template <class Tree, class T, class Matrix>
+void minv(const Tree& tree, MinvWorkspace<T>& work, const T* q, Matrix&& Minv) {
   const int n = tree.nv;
   UpperTriangle<T> M{work.M.data(), n};
   crba(tree, work.crba, q, M);

@@ -5,8 +5,8 @@
 namespace arboc {
 
 /// q (nq), v (nv) -> nle (nv).
-template <class T>
-void nle(const DynamicTree& tree, RneaWorkspace<T>& work, const T* q, const T* v, T* nle) {
+template <class Tree, class T>
+void nle(const Tree& tree, RneaWorkspace<T>& work, const T* q, const T* v, T* nle) {
   work.pose.update(tree, q);
   newton_euler<false>(tree, work.pose, work, q, v, static_cast<const T*>(nullptr), nle);
 }

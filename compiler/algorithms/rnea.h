@@ -14,16 +14,17 @@ struct NeededDiagonal {
   bool entry[3] = {false, false, false};
 };
 
-inline std::vector<NeededDiagonal> needed_diagonals(const DynamicTree& tree) {
+template <class Tree>
+std::vector<NeededDiagonal> needed_diagonals(const Tree& tree) {
   std::vector<NeededDiagonal> needed(tree.body.size());
-  for (const Body& body : tree.body) {
+  for (const auto& body : tree.body) {
     if (body.motion == Motion::kWorld) continue;
     NeededDiagonal& own = needed[&body - tree.body.data()];
     NeededDiagonal& parent = needed[body.parent];
     for (int k = 0; k < 3; ++k) {
-      own.entry[k] = own.entry[k] || body.inertia.h[k] != 0;
+      own.entry[k] = own.entry[k] || !vanishes(body.inertia.h[k]);
       const bool slides = body.motion != Motion::kRevolute;
-      parent.entry[k] = parent.entry[k] || body.c[k] != 0 || slides;
+      parent.entry[k] = parent.entry[k] || !vanishes(body.c[k]) || slides;
     }
   }
   return needed;
@@ -36,7 +37,8 @@ struct RneaWorkspace {
   std::vector<Wrench<T>> wrench;
   std::vector<NeededDiagonal> needed;
 
-  explicit RneaWorkspace(const DynamicTree& tree)
+  template <class Tree>
+  explicit RneaWorkspace(const Tree& tree)
       : pose(tree),
         motion(tree.body.size()),
         wrench(tree.body.size()),
@@ -48,43 +50,44 @@ struct RneaWorkspace {
 /// Component i of ax(U Sigma), (i, j, k) cyclic, with d = (Sigma_ij, Sigma_ik, Sigma_jk, Sigma_jj,
 /// Sigma_kk).  Where constants coincide or U's diagonal is not needed otherwise, shorter forms:
 ///   U_kj - U_jk = 2 dw_i,   U_kk - U_jj = w_k^2 - w_j^2.
-template <class T>
+template <class S, class T>
 ARBOC_INLINE T moment_component(const LinkMotion<T>& motion, const NeededDiagonal& needed, int i,
-                                const double (&d)[5]) {
+                                const S (&d)[5]) {
   const int j = (i + 1) % 3, k = (i + 2) % 3;
   const Matrix3<T>& U = motion.U;
   const Vector3<T>& w = motion.w;
-  const T turning = d[3] == d[4] ? (2 * d[3]) * motion.dw[i] : d[3] * U(k, j) - d[4] * U(j, k);
+  const T turning =
+      coincide(d[3], d[4]) ? (S(2) * d[3]) * motion.dw[i] : d[3] * U(k, j) - d[4] * U(j, k);
   const T stretching = needed.entry[j] && needed.entry[k] ? d[2] * U(k, k) - d[2] * U(j, j)
                                                           : d[2] * (w[k] * w[k] - w[j] * w[j]);
   return (d[0] * U(k, i) - d[1] * U(j, i)) + turning + stretching;
 }
 
 /// What must act on a body so that it moves like this.
-template <class T>
-ARBOC_INLINE Wrench<T> inertial_wrench(const MassMoments& inertia, const LinkMotion<T>& motion,
+template <class S, class T>
+ARBOC_INLINE Wrench<T> inertial_wrench(const MassMomentsOf<S>& inertia, const LinkMotion<T>& motion,
                                        const NeededDiagonal& needed) {
-  const Symmetric3<double>& S = inertia.Sigma;
+  const Symmetric3<S>& I = inertia.Sigma;
   const Vector3<T> h = cast<T>(inertia.h);
-  const Vector3<T> moment{moment_component(motion, needed, 0, {S.xy, S.xz, S.yz, S.yy, S.zz}),
-                          moment_component(motion, needed, 1, {S.yz, S.xy, S.xz, S.zz, S.xx}),
-                          moment_component(motion, needed, 2, {S.xz, S.yz, S.xy, S.xx, S.yy})};
+  const Vector3<T> moment{moment_component(motion, needed, 0, {I.xy, I.xz, I.yz, I.yy, I.zz}),
+                          moment_component(motion, needed, 1, {I.yz, I.xy, I.xz, I.zz, I.xx}),
+                          moment_component(motion, needed, 2, {I.xz, I.yz, I.xy, I.xx, I.yy})};
   return {inertia.m * motion.dv + motion.U * h, moment + cross(h, motion.dv)};
 }
 
 /// The recursion behind rnea and nle; the poses in the workspace are up to date.
-template <bool kAccelerated, class T>
-void newton_euler(const DynamicTree& tree, const Poses<T>& pose, RneaWorkspace<T>& work, const T* q,
+template <bool kAccelerated, class Tree, class T>
+void newton_euler(const Tree& tree, const Poses<T>& pose, RneaWorkspace<T>& work, const T* q,
                   const T* v, const T* a, T* tau) {
   for (int i = 1; i <= tree.nb(); ++i) {
-    const Body& body = tree.body[i];
+    const auto& body = tree.body[i];
     enter_block(q, body.link, "motion");
     advance<kAccelerated>(body, pose[i], work.motion[body.parent], v, a, work.motion[i]);
     work.wrench[i] = inertial_wrench(body.inertia, work.motion[i], work.needed[i]);
   }
   for (int k = 0; k < tree.nv; ++k) tau[k] = T(0);
   for (int i = tree.nb(); i > 0; --i) {
-    const Body& body = tree.body[i];
+    const auto& body = tree.body[i];
     enter_block(q, body.link, "force");
     add_joint_force(body, work.wrench[i], tau);
     if (body.parent == 0) continue;
@@ -96,9 +99,8 @@ void newton_euler(const DynamicTree& tree, const Poses<T>& pose, RneaWorkspace<T
 }
 
 /// q (nq), v, a (nv) -> tau (nv): joint forces that produce the acceleration a.
-template <class T>
-void rnea(const DynamicTree& tree, RneaWorkspace<T>& work, const T* q, const T* v, const T* a,
-          T* tau) {
+template <class Tree, class T>
+void rnea(const Tree& tree, RneaWorkspace<T>& work, const T* q, const T* v, const T* a, T* tau) {
   work.pose.update(tree, q);
   newton_euler<true>(tree, work.pose, work, q, v, a, tau);
 }

@@ -36,7 +36,8 @@ struct RneaDerivativesWorkspace {
   std::vector<Vector3<T>> drift;  ///< twice the origin's velocity relative to the parent's, there
   std::vector<CoordinatePerturbation<T>> perturbation;  ///< six a body
 
-  explicit RneaDerivativesWorkspace(const DynamicTree& tree)
+  template <class Tree>
+  explicit RneaDerivativesWorkspace(const Tree& tree)
       : rnea(tree),
         composite(tree.body.size()),
         moments(tree.body.size()),
@@ -45,13 +46,13 @@ struct RneaDerivativesWorkspace {
 };
 
 /// Those of a body alone: P = w x h, K = [w] Sigma.
-template <class T>
-VelocityMoments<T> velocity_moments(const MassMoments& inertia, const Vector3<T>& w) {
+template <class S, class T>
+VelocityMoments<T> velocity_moments(const MassMomentsOf<S>& inertia, const Vector3<T>& w) {
   const Vector3<T> w2 = T(2) * w;
-  const Symmetric3<double>& S = inertia.Sigma;
-  const Vector3<T> x = cross(w2, cast<T>(Vector3<double>{S.xx, S.xy, S.xz}));
-  const Vector3<T> y = cross(w2, cast<T>(Vector3<double>{S.xy, S.yy, S.yz}));
-  const Vector3<T> z = cross(w2, cast<T>(Vector3<double>{S.xz, S.yz, S.zz}));
+  const Symmetric3<T> I = cast<T>(inertia.Sigma);
+  const Vector3<T> x = cross(w2, Vector3<T>{I.xx, I.xy, I.xz});
+  const Vector3<T> y = cross(w2, Vector3<T>{I.xy, I.yy, I.yz});
+  const Vector3<T> z = cross(w2, Vector3<T>{I.xz, I.yz, I.zz});
   return {cross(w2, cast<T>(inertia.h)), {{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}}}};
 }
 
@@ -161,12 +162,12 @@ struct RneaDerivativesOutput {
 };
 
 /// Motion, wrenches and moments of each body alone.
-template <class T>
-void derivative_sweep_out(const DynamicTree& tree, RneaDerivativesWorkspace<T>& work, const T* q,
+template <class Tree, class T>
+void derivative_sweep_out(const Tree& tree, RneaDerivativesWorkspace<T>& work, const T* q,
                           const T* v, const T* a) {
   const Poses<T>& pose = work.rnea.pose;
   for (int i = 1; i <= tree.nb(); ++i) {
-    const Body& body = tree.body[i];
+    const auto& body = tree.body[i];
     enter_block(q, body.link, "motion");
     const LinkMotion<T>& parent = work.rnea.motion[body.parent];
     LinkMotion<T>& motion = work.rnea.motion[i];
@@ -195,9 +196,9 @@ void add_subtree(const Body& body, int j, RneaDerivativesWorkspace<T>& work) {
 
 /// q (nq), v, a (nv) -> dtau_dq, dtau_dv (i, j) and (j, i), M (i, j) for j and i in
 /// tree.coupled[j]; no other entry is touched.  Of M only the upper triangle is.
-template <class T, class Square, class Upper>
-void rnea_derivatives(const DynamicTree& tree, RneaDerivativesWorkspace<T>& work, const T* q,
-                      const T* v, const T* a, Square&& dtau_dq, Square&& dtau_dv, Upper&& M) {
+template <class Tree, class T, class Square, class Upper>
+void rnea_derivatives(const Tree& tree, RneaDerivativesWorkspace<T>& work, const T* q, const T* v,
+                      const T* a, Square&& dtau_dq, Square&& dtau_dv, Upper&& M) {
   work.rnea.pose.update(tree, q);
   derivative_sweep_out(tree, work, q, v, a);
   for (int j = 0; j < tree.nv; ++j) {
@@ -209,7 +210,7 @@ void rnea_derivatives(const DynamicTree& tree, RneaDerivativesWorkspace<T>& work
   }
   RneaDerivativesOutput<Square, Upper> out{dtau_dq, dtau_dv, M};
   for (int j = tree.nb(); j > 0; --j) {
-    const Body& body = tree.body[j];
+    const auto& body = tree.body[j];
     enter_block(q, body.link, "column");
     for (int d = 0; d < freedoms(body.motion); ++d) {
       const int c = component(body.motion, d);

@@ -26,17 +26,17 @@ std::string tree_text(const DynamicTree& tree) {
                                 tree.nv, text(tree.gravity));
   out += "  using arboc::Motion;\n";
   constexpr const char* kMotions[] = {"kWorld", "kRevolute", "kPrismatic", "kPlanar", "kFloating"};
-  for (const Body& b : tree.body) {
+  for (const BodyOf<double>& b : tree.body) {
     const Symmetric3<double>& S = b.inertia.Sigma;
     out += fmt::format(
-        "  tree.body.push_back({{\"\", \"\", {}, Motion::{}, {}, {}, {}, {}, {}, {}, {}, {},\n"
+        "  tree.body.push_back({{{{\"\", \"\", {}, Motion::{}, {}, {}, {}, {}, {}, {}, {}}}, {},\n"
         "                       {{{}, {}, {{{}, {}, {}, {}, {}, {}}}}}}});\n",
         b.parent, kMotions[static_cast<int>(b.motion)], text(b.gamma), text(b.alpha), text(b.theta),
-        text(b.c), b.q, b.v, literal(b.multiplier), literal(b.offset), literal(b.inertia.m),
+        b.q, b.v, literal(b.multiplier), literal(b.offset), text(b.c), literal(b.inertia.m),
         text(b.inertia.h), literal(S.xx), literal(S.yy), literal(S.zz), literal(S.xy),
         literal(S.xz), literal(S.yz));
   }
-  for (const Frame& f : tree.frame) {
+  for (const FrameOf<double>& f : tree.frame) {
     if (!f.moving) continue;
     const auto& R = f.R;
     out += fmt::format(

@@ -44,6 +44,13 @@ void sincos(const Expr& x, Expr& s, Expr& c);
 inline bool is_zero(const Expr& x) { return x.is_constant() && x.value() == 0; }
 inline bool is_zero(double) { return false; }
 
+/// The same questions of a number of the model that may be a parameter.
+inline bool vanishes(const Expr& x) { return is_zero(x); }
+inline bool coincide(const Expr& x, const Expr& y) {
+  if (x.is_constant() && y.is_constant()) return x.value() == y.value();
+  return !x.is_constant() && !y.is_constant() && x.ref(*x.builder()) == y.ref(*y.builder());
+}
+
 /// Titles the nodes made from now on; `inputs` points to any traced input.
 void enter_block(const Expr* inputs, const std::string& subject, const char* phase);
 

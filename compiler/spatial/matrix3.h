@@ -64,6 +64,18 @@ template <class T>
 Symmetric3<T>& operator+=(Symmetric3<T>& A, const Symmetric3<T>& B) {
   return A = A + B;
 }
+/// The same matrix on another scalar.
+template <class T, class S>
+Matrix3<T> cast(const Matrix3<S>& A) {
+  Matrix3<T> B;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) B(i, j) = T(A(i, j));
+  return B;
+}
+template <class T, class S>
+Symmetric3<T> cast(const Symmetric3<S>& A) {
+  return {T(A.xx), T(A.yy), T(A.zz), T(A.xy), T(A.xz), T(A.yz)};
+}
 /// A b.
 template <class T, class S>
 auto operator*(const Symmetric3<T>& A, const Vector3<S>& b) -> Vector3<decltype(A.xx * b.x)> {

@@ -8,10 +8,10 @@ namespace arboc {
 namespace {
 
 /// The coordinates on the path from body i to the world, descending, each once.
-std::vector<int> path(const DynamicTree& tree, int i) {
+std::vector<int> path(const std::vector<Body>& bodies, size_t i) {
   std::vector<int> dofs;
-  for (; i > 0; i = tree.body[static_cast<size_t>(i)].parent) {
-    const Body& body = tree.body[static_cast<size_t>(i)];
+  for (; i > 0; i = static_cast<size_t>(bodies[i].parent)) {
+    const Body& body = bodies[i];
     for (int d = freedoms(body.motion) - 1; d >= 0; --d) dofs.push_back(body.v + d);
   }
   std::sort(dofs.begin(), dofs.end(), std::greater<>());
@@ -35,14 +35,14 @@ void couple(const std::vector<int>& list, std::vector<std::vector<int>>& coupled
 
 }  // namespace
 
-std::vector<std::vector<int>> coupling(const DynamicTree& tree) {
-  std::vector<bool> leaf(tree.body.size(), true);
-  for (const Body& body : tree.body)
-    if (body.parent >= 0) leaf[static_cast<size_t>(body.parent)] = false;
+std::vector<std::vector<int>> coupling(const std::vector<Body>& body, int nv) {
+  std::vector<bool> leaf(body.size(), true);
+  for (const Body& b : body)
+    if (b.parent >= 0) leaf[static_cast<size_t>(b.parent)] = false;
 
-  std::vector<std::vector<int>> coupled(static_cast<size_t>(tree.nv));
-  for (int i = 1; i <= tree.nb(); ++i)
-    if (leaf[static_cast<size_t>(i)]) couple(path(tree, i), coupled);
+  std::vector<std::vector<int>> coupled(static_cast<size_t>(nv));
+  for (size_t i = 1; i < body.size(); ++i)
+    if (leaf[i]) couple(path(body, i), coupled);
   // Eliminating a row couples all that it is coupled with.
   for (size_t j = coupled.size(); j-- > 0;) {
     const std::vector<int> row = coupled[j];

@@ -53,11 +53,11 @@ Choice along_common_normal(const Vector3<double>& p, const Vector3<double>& u) {
 
 }  // namespace
 
-void choose_denavit_frames(Draft& draft) {
+std::vector<Reframe> denavit_frames(const Draft& draft) {
   const std::vector<size_t> main = main_children(draft);
   std::vector<Reframe> frames(draft.body.size());
   for (size_t i = draft.body.size() - 1; i > 0; --i) {
-    const Body& body = draft.body[i].body;
+    const BodyOf<double>& body = draft.body[i].body;
     if (body.motion == Motion::kFloating) continue;
     Choice choice;
     if (main[i] != 0) {
@@ -73,7 +73,7 @@ void choose_denavit_frames(Draft& draft) {
     frames[i].Q = {{{c, -s, 0.0}, {s, c, 0.0}, {0.0, 0.0, 1.0}}};
     frames[i].t = {0, 0, choice.slide};
   }
-  reframe(draft, frames);
+  return frames;
 }
 
 }  // namespace arboc

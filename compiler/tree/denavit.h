@@ -9,8 +9,8 @@
 
 namespace arboc {
 
-/// Before: axes on z.  After: the same, frames as above; a revolute leaf is turned so that h_y = 0.
-/// Other children, and the children of the world and of a floating base, keep general placements.
-void choose_denavit_frames(Draft& draft);
+/// Before: axes on z.  A revolute leaf is turned so that h_y = 0.  Children other than the main
+/// one, and the children of the world and of a floating base, keep general placements.
+std::vector<Reframe> denavit_frames(const Draft& draft);
 
 }  // namespace arboc

@@ -34,44 +34,56 @@ inline int freedoms(Motion motion) {
 
 /// Inertial parameters about the origin of a frame and in its axes: mass, first and second moment,
 /// Sigma = integral of r r^T dm.  Rotational inertia = tr(Sigma) 1 - Sigma.
-struct MassMoments {
-  double m = 0;              ///< kg
-  Vector3<double> h;         ///< kg m
-  Symmetric3<double> Sigma;  ///< kg m^2
+template <class S>
+struct MassMomentsOf {
+  S m{};                ///< kg
+  Vector3<S> h;         ///< kg m
+  Symmetric3<S> Sigma;  ///< kg m^2
 };
+using MassMoments = MassMomentsOf<double>;
 
+/// Where a body hangs and how its joint moves it.
 struct Body {
   std::string link;   ///< name of the model's link whose joint moves this body
   std::string joint;  ///< name of that joint
   int parent = -1;
   Motion motion = Motion::kWorld;
   Turn gamma, alpha, theta;  ///< R of the placement above
-  Vector3<double> c;         ///< m, origin in the parent's frame at q = 0
   int q = -1;                ///< first coordinate in q
   int v = -1;                ///< first coordinate in v, a, tau
   double multiplier = 1;  ///< mimic followers: q_joint = multiplier * q[q] + offset, likewise v, a
   double offset = 0;      ///< m; only prismatic joints keep one, an angle joins theta
-  MassMoments inertia;    ///< of everything welded to this body; regrouped if the tree is
+};
+
+/// A body with its numbers.
+template <class S>
+struct BodyOf : Body {
+  Vector3<S> c;              ///< m, origin in the parent's frame at q = 0
+  MassMomentsOf<S> inertia;  ///< of everything welded to this body; regrouped if the tree is
 };
 
 /// A named link of the model and the body that carries it: x_body = R x_link + p.
-struct Frame {
+template <class S>
+struct FrameOf {
   std::string name;
   int body = 0;
-  Matrix3<double> R;
-  Vector3<double> p;
+  Matrix3<double> R = Matrix3<double>::identity();
+  Vector3<S> p;
   bool moving = false;  ///< the child of a non-fixed joint (fk reports these by default)
 };
 
-struct DynamicTree {
+/// The lengths, masses and the gravity of the tree are of type S: double, or Expr where a parameter
+/// of the generated function is to take the place of a number.
+template <class S>
+struct DynamicTreeOf {
   static constexpr int kLargestMatrix = 4096;
 
   std::string name;
   int nq = 0;
   int nv = 0;
-  Vector3<double> gravity{0, 0, -9.81};  ///< m/s^2, world axes
-  std::vector<Body> body;                ///< body[0] is the world
-  std::vector<Frame> frame;              ///< every link, in the model's order
+  Vector3<S> gravity{S(0), S(0), S(-9.81)};  ///< m/s^2, world axes
+  std::vector<BodyOf<S>> body;               ///< body[0] is the world
+  std::vector<FrameOf<S>> frame;             ///< every link, in the model's order
   /// coupled[j]: the indices i < j for which M(i, j), or the fill of its factorisation from the
   /// last row up, can be non-zero, in descending order.  For a tree without mimic joints these are
   /// the ancestors of j.  Empty if nv > kLargestMatrix: such a tree is lowered to be inspected,
@@ -80,5 +92,10 @@ struct DynamicTree {
 
   int nb() const { return static_cast<int>(body.size()) - 1; }
 };
+using DynamicTree = DynamicTreeOf<double>;
+
+/// A number of the tree is zero, or two are equal, whatever the parameters: structure to build on.
+inline bool vanishes(double x) { return x == 0; }
+inline bool coincide(double x, double y) { return x == y; }
 
 }  // namespace arboc

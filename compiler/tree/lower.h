@@ -7,6 +7,7 @@
 
 #include "model/model.h"
 #include "tree/dynamic_tree.h"
+#include "tree/numbers.h"
 
 namespace arboc {
 
@@ -26,6 +27,12 @@ struct LoweringOptions {
 
 /// `model` is configured.  Never fails on a validated model.
 DynamicTree lower(const Model& model, const LoweringOptions& options);
+
+/// The same with `numbers` in place of the model's; frames are chosen for the model's own.  S is
+/// double or Expr (compiled in functions/parameters.cc).
+template <class S>
+DynamicTreeOf<S> lower(const Model& model, const LoweringOptions& options,
+                       const NumbersOf<S>& numbers);
 
 /// The printed form (`--print=tree`): one line a body and one a frame.
 std::string print(const DynamicTree& tree);

@@ -41,7 +41,7 @@ std::string text(const MassMoments& inertia) {
   return out;
 }
 
-std::string text(int index, const Body& body) {
+std::string text(int index, const BodyOf<double>& body) {
   std::string out =
       fmt::format("body {} '{}': {} '{}' on {}, q {} v {}", index, printable(body.link),
                   word(body.motion), printable(body.joint), body.parent, body.q, body.v);
@@ -52,7 +52,7 @@ std::string text(int index, const Body& body) {
   return out + text(body.inertia) + '\n';
 }
 
-std::string text(const Frame& frame) {
+std::string text(const FrameOf<double>& frame) {
   std::string out = fmt::format("frame '{}': on {}", printable(frame.name), frame.body);
   const Matrix3<double>& R = frame.R;
   if (!is_zero(column(R, 0) - Vector3<double>{1, 0, 0}) ||
@@ -71,7 +71,7 @@ std::string print(const DynamicTree& tree) {
       fmt::format("tree {}: {} bodies, nq {}, nv {}, gravity({})\n", printable(tree.name),
                   tree.nb(), tree.nq, tree.nv, text(tree.gravity));
   for (int i = 1; i <= tree.nb(); ++i) out += text(i, tree.body[static_cast<size_t>(i)]);
-  for (const Frame& frame : tree.frame) out += text(frame);
+  for (const FrameOf<double>& frame : tree.frame) out += text(frame);
   return out;
 }
 

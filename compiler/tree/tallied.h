@@ -69,4 +69,10 @@ inline Vector3<double> place(const Matrix3<double>& R, const Vector3<double>& x,
   return clean(tallied(R) * tallied(x) + tallied(p));
 }
 
+/// The same with symbols, whose zeros fold by themselves.
+template <class S>
+Vector3<S> place(const Matrix3<double>& R, const Vector3<S>& x, const Vector3<S>& p) {
+  return cast<S>(R) * x + p;
+}
+
 }  // namespace arboc

@@ -69,7 +69,7 @@ MatrixXd square(const std::vector<double>& values, int n) {
 /// q with the derivative of q (+) d with respect to d[k] at d = 0.
 std::vector<Dual> moved(const DynamicTree& tree, const VectorXd& at, int k) {
   std::vector<Dual> q(at.begin(), at.end());
-  for (const Body& body : tree.body) {
+  for (const auto& body : tree.body) {
     const int d = k - body.v;
     if (d < 0 || d >= freedoms(body.motion)) continue;
     const int c = component(body.motion, d);

@@ -141,14 +141,14 @@ TEST(Lower, AlignedModelsNeedQuarterTurnsOnly) {
     RandomModelOptions options;
     options.aligned = true;
     options.mimic = false;
-    for (const Body& body : lower(random_model(seed, options), {}).body)
+    for (const BodyOf<double>& body : lower(random_model(seed, options), {}).body)
       EXPECT_TRUE(quarter(body.gamma) && quarter(body.alpha) && quarter(body.theta)) << seed;
   }
 }
 
 TEST(Lower, RegroupingEmptiesWhatItMoves) {
   for (unsigned seed = 0; seed < 50; ++seed)
-    for (const Body& body : lower(random_model(seed, {}), {FrameChoice::kAxis, true}).body) {
+    for (const BodyOf<double>& body : lower(random_model(seed, {}), {FrameChoice::kAxis, true}).body) {
       const MassMoments& I = body.inertia;
       if (body.motion == Motion::kRevolute) {
         EXPECT_TRUE(I.m == 0 && I.h.z == 0 && I.Sigma.zz == 0) << body.link;
@@ -175,7 +175,7 @@ TEST(Lower, DenavitFramesPutMainChildrenAlongX) {
       ++children[parent];
     }
     for (size_t i = 1; i < tree.body.size(); ++i) {
-      const Body& body = tree.body[i];
+      const BodyOf<double>& body = tree.body[i];
       if (children[i] == 0 && body.motion == Motion::kRevolute) {
         EXPECT_EQ(body.inertia.h.y * body.inertia.h.x, 0) << seed << ' ' << i;
       }
@@ -194,7 +194,7 @@ std::vector<std::vector<int>> dense_coupling(const DynamicTree& tree) {
   std::vector<std::vector<bool>> M(n, std::vector<bool>(n));
   for (int i = 1; i <= tree.nb(); ++i)
     for (int k = i; k > 0; k = tree.body[static_cast<size_t>(k)].parent) {
-      const Body &a = tree.body[static_cast<size_t>(i)], &b = tree.body[static_cast<size_t>(k)];
+      const BodyOf<double> &a = tree.body[static_cast<size_t>(i)], &b = tree.body[static_cast<size_t>(k)];
       for (int d = 0; d < freedoms(a.motion); ++d)
         for (int e = 0; e < freedoms(b.motion); ++e) {
           const auto r = static_cast<size_t>(a.v + d), c = static_cast<size_t>(b.v + e);
