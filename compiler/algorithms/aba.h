@@ -30,10 +30,10 @@ struct AbaWorkspace {
 /// that M is not positive definite, and then qdd means nothing.
 template <class Tree, class T>
 void aba(const Tree& tree, AbaWorkspace<T>& work, const T* q, const T* v, const T* tau, T* qdd,
-         T* pivots) {
+         T* pivots, const Loads<T>* loads = nullptr) {
   Poses<T>& pose = work.bias.pose;
   pose.update(tree, q);
-  newton_euler<false>(tree, pose, work.bias, q, v, static_cast<const T*>(nullptr), qdd);
+  newton_euler<false>(tree, pose, work.bias, q, v, static_cast<const T*>(nullptr), qdd, loads);
   for (int k = 0; k < tree.nv; ++k) qdd[k] = tau[k] - qdd[k];
   UpperTriangle<T> M{work.M.data(), tree.nv};
   composite_bodies(tree, pose, work.composite, q, M);

@@ -4,6 +4,7 @@
 // Column j is the wrench on the subtree of j under a unit acceleration of coordinate j, felt at j
 // and, carried up, at every ancestor.  Bodies on different branches share no entry.
 #pragma once
+#include "algorithms/joint_forces.h"
 #include "algorithms/wrench.h"
 
 namespace arboc {
@@ -116,6 +117,7 @@ void composite_bodies(const Tree& tree, const Poses<T>& pose, std::vector<Compos
     enter_block(q, body.link, "composite");
     add_composite(body, pose[j], composite[j], composite[body.parent]);
   }
+  add_rotors(tree, M);
 }
 
 /// q (nq) -> M(j, j) and M(i, j) for i in tree.coupled[j]; no other entry is touched.

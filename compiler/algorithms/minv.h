@@ -9,23 +9,14 @@
 namespace arboc {
 
 template <class T>
-struct MinvWorkspace {
-  CrbaWorkspace<T> crba;
-  std::vector<T> M;                    ///< nv x nv: L and D in the upper triangle
+struct InverseWorkspace {
   std::vector<T> W;                    ///< nv x nv, W(k, j) at row k
   std::vector<T> V;                    ///< W D^-1
-  std::vector<T> D_inverse;            ///< nv
   std::vector<std::vector<int>> path;  ///< per coordinate its elimination path, itself first
-  std::vector<int> body;               ///< per coordinate
 
   template <class Tree>
-  explicit MinvWorkspace(const Tree& tree)
-      : crba(tree),
-        M(static_cast<size_t>(tree.nv) * tree.nv),
-        W(M.size()),
-        V(M.size()),
-        D_inverse(tree.nv),
-        body(body_of_coordinate(tree)) {
+  explicit InverseWorkspace(const Tree& tree)
+      : W(static_cast<size_t>(tree.nv) * tree.nv), V(W.size()) {
     for (int k = 0; k < tree.nv; ++k) {
       path.push_back({k});
       if (tree.coupled[k].empty()) continue;
@@ -36,30 +27,27 @@ struct MinvWorkspace {
 };
 
 /// Row k of W = L^-1: x <- L^-T e_k, which is zero outside the path.
-template <class Tree, class T>
-void invert_row(const Tree& tree, MinvWorkspace<T>& work, int k) {
-  const UpperTriangle<T> L{work.M.data(), tree.nv};
+template <class Tree, class T, class Matrix>
+void invert_row(const Tree& tree, InverseWorkspace<T>& work, const Matrix& L, const T* D_inverse,
+                int k) {
   T* x = work.W.data() + static_cast<size_t>(k) * tree.nv;
   T* y = work.V.data() + static_cast<size_t>(k) * tree.nv;
   for (int j = 0; j < tree.nv; ++j) x[j] = y[j] = T(0);
   x[k] = T(1);
   for (const int j : work.path[k]) {
     for (const int i : tree.coupled[j]) x[i] = x[i] - L(i, j) * x[j];
-    y[j] = x[j] * work.D_inverse[j];
+    y[j] = x[j] * D_inverse[j];
   }
 }
 
-/// q (nq) -> Minv(i, j) for all i <= j; zero where no path is shared.
-/// Matrix: T& operator()(int i, int j), asked for i <= j.
-template <class Tree, class T, class Matrix>
-void minv(const Tree& tree, MinvWorkspace<T>& work, const T* q, Matrix&& Minv) {
+/// (L^T D L)^-1 (i, j) for all i <= j from the factors; zero where no path is shared.
+template <class Tree, class T, class Factors, class Matrix>
+void inverse(const Tree& tree, InverseWorkspace<T>& work, const std::vector<int>& body, const T* q,
+             const Factors& LD, const T* D_inverse, Matrix&& Minv) {
   const int n = tree.nv;
-  UpperTriangle<T> M{work.M.data(), n};
-  crba(tree, work.crba, q, M);
-  ltdl(tree, work.body, q, M, work.D_inverse.data());
   for (int k = 0; k < n; ++k) {
-    enter_block(q, tree.body[work.body[k]].link, "inverse");
-    invert_row(tree, work, k);
+    enter_block(q, tree.body[body[k]].link, "inverse");
+    invert_row(tree, work, LD, D_inverse, k);
     const T* V = work.V.data() + static_cast<size_t>(k) * n;
     for (int i = 0; i <= k; ++i) {
       const T* W = work.W.data() + static_cast<size_t>(i) * n;
@@ -68,6 +56,33 @@ void minv(const Tree& tree, MinvWorkspace<T>& work, const T* q, Matrix&& Minv) {
       Minv(i, k) = sum;
     }
   }
+}
+
+template <class T>
+struct MinvWorkspace {
+  CrbaWorkspace<T> crba;
+  InverseWorkspace<T> inverse;
+  std::vector<T> M;          ///< nv x nv: L and D in the upper triangle
+  std::vector<T> D_inverse;  ///< nv
+  std::vector<int> body;     ///< per coordinate
+
+  template <class Tree>
+  explicit MinvWorkspace(const Tree& tree)
+      : crba(tree),
+        inverse(tree),
+        M(static_cast<size_t>(tree.nv) * tree.nv),
+        D_inverse(tree.nv),
+        body(body_of_coordinate(tree)) {}
+};
+
+/// q (nq) -> Minv(i, j) for all i <= j.
+/// Matrix: T& operator()(int i, int j), asked for i <= j.
+template <class Tree, class T, class Matrix>
+void minv(const Tree& tree, MinvWorkspace<T>& work, const T* q, Matrix&& Minv) {
+  UpperTriangle<T> M{work.M.data(), tree.nv};
+  crba(tree, work.crba, q, M);
+  ltdl(tree, work.body, q, M, work.D_inverse.data());
+  inverse(tree, work.inverse, work.body, q, M, work.D_inverse.data(), Minv);
 }
 
 }  // namespace arboc

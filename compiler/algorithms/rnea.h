@@ -3,6 +3,8 @@
 //   f = m dv + U h,   n = ax(U Sigma) + h x dv,   ax(P) = (P_zy - P_yz, P_xz - P_zx, P_yx - P_xy)
 // The moment is I dw + w x I w in 18 products: only the 6 off-diagonal entries of U Sigma occur.
 #pragma once
+#include "algorithms/external.h"
+#include "algorithms/joint_forces.h"
 #include "algorithms/link_motion.h"
 #include "algorithms/wrench.h"
 
@@ -78,13 +80,14 @@ ARBOC_INLINE Wrench<T> inertial_wrench(const MassMomentsOf<S>& inertia, const Li
 /// The recursion behind rnea and nle; the poses in the workspace are up to date.
 template <bool kAccelerated, class Tree, class T>
 void newton_euler(const Tree& tree, const Poses<T>& pose, RneaWorkspace<T>& work, const T* q,
-                  const T* v, const T* a, T* tau) {
+                  const T* v, const T* a, T* tau, const Loads<T>* loads = nullptr) {
   for (int i = 1; i <= tree.nb(); ++i) {
     const auto& body = tree.body[i];
     enter_block(q, body.link, "motion");
     advance<kAccelerated>(body, pose[i], work.motion[body.parent], v, a, work.motion[i]);
     work.wrench[i] = inertial_wrench(body.inertia, work.motion[i], work.needed[i]);
   }
+  if (loads) subtract_loads(tree, pose, *loads, work.wrench);
   for (int k = 0; k < tree.nv; ++k) tau[k] = T(0);
   for (int i = tree.nb(); i > 0; --i) {
     const auto& body = tree.body[i];
@@ -96,13 +99,16 @@ void newton_euler(const Tree& tree, const Poses<T>& pose, RneaWorkspace<T>& work
     parent.f += carried.f;
     parent.n += carried.n;
   }
+  add_joint_forces<kAccelerated>(tree, q, v, a, tau);
 }
 
-/// q (nq), v, a (nv) -> tau (nv): joint forces that produce the acceleration a.
+/// q (nq), v, a (nv) -> tau (nv): joint forces that produce the acceleration a under
+/// the loads.
 template <class Tree, class T>
-void rnea(const Tree& tree, RneaWorkspace<T>& work, const T* q, const T* v, const T* a, T* tau) {
+void rnea(const Tree& tree, RneaWorkspace<T>& work, const T* q, const T* v, const T* a, T* tau,
+          const Loads<T>* loads = nullptr) {
   work.pose.update(tree, q);
-  newton_euler<true>(tree, work.pose, work, q, v, a, tau);
+  newton_euler<true>(tree, work.pose, work, q, v, a, tau, loads);
 }
 
 }  // namespace arboc

@@ -198,9 +198,12 @@ void add_subtree(const Body& body, int j, RneaDerivativesWorkspace<T>& work) {
 /// tree.coupled[j]; no other entry is touched.  Of M only the upper triangle is.
 template <class Tree, class T, class Square, class Upper>
 void rnea_derivatives(const Tree& tree, RneaDerivativesWorkspace<T>& work, const T* q, const T* v,
-                      const T* a, Square&& dtau_dq, Square&& dtau_dv, Upper&& M) {
+                      const T* a, Square&& dtau_dq, Square&& dtau_dv, Upper&& M,
+                      const Loads<T>* loads = nullptr) {
   work.rnea.pose.update(tree, q);
   derivative_sweep_out(tree, work, q, v, a);
+  if (loads && loads->axes == Axes::kLocal)
+    subtract_loads(tree, work.rnea.pose, *loads, work.rnea.wrench);
   for (int j = 0; j < tree.nv; ++j) {
     dtau_dq(j, j) = dtau_dv(j, j) = M(j, j) = T(0);
     for (const int i : tree.coupled[j]) {
@@ -229,6 +232,9 @@ void rnea_derivatives(const Tree& tree, RneaDerivativesWorkspace<T>& work, const
     enter_block(q, body.link, "composite");
     add_subtree(body, j, work);
   }
+  add_joint_force_derivatives(tree, v, dtau_dq, dtau_dv);
+  add_rotors(tree, M);
+  if (loads) add_load_derivatives(tree, work.rnea.pose, *loads, dtau_dq);
 }
 
 }  // namespace arboc

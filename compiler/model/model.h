@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "spatial/axes.h"
 #include "spatial/matrix3.h"
 
 namespace arboc {
@@ -101,13 +102,6 @@ int nv(JointType type);
 /// same with the first two columns' second one reversed; otherwise x is the projection of the
 /// coordinate axis nearest to the plane (the first one if several are).
 Matrix3<double> axis_frame(const Vector3<double>& axis);
-
-/// Where and along which axes the velocity of a frame, a Jacobian or a wrench is taken.
-enum class Axes {
-  kLocal,    ///< at the frame's origin, along the frame's axes
-  kWorld,    ///< of the point that passes the world's origin, along the world's axes
-  kAligned,  ///< at the frame's origin, along the world's axes
-};
 
 enum class Base { kFixed, kFloating };
 enum class MimicPolicy { kFollow, kIndependent };

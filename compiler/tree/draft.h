@@ -24,6 +24,8 @@ struct DraftOf {
   int nq = 0;
   int nv = 0;
   Vector3<S> gravity;
+  bool joint_forces = false;
+  double friction_rate = 0.01;
   std::vector<DraftBodyOf<S>> body;  ///< body[0] is the world, parents before children
   std::vector<FrameOf<S>> frame;
 };

@@ -55,11 +55,24 @@ struct Body {
   double offset = 0;      ///< m; only prismatic joints keep one, an angle joins theta
 };
 
+/// What a joint adds by itself to the force that moves it, along its own rate r of coordinate c:
+///   damping r + friction r / sqrt(r^2 + s^2) + stiffness (c - neutral) + rotor dr/dt,
+/// s = DynamicTree::friction_rate.  A joint of several freedoms has no spring.
+template <class S>
+struct JointForcesOf {
+  S damping{};    ///< N m s/rad or N s/m
+  S friction{};   ///< N m or N
+  S stiffness{};  ///< N m/rad or N/m
+  S neutral{};    ///< rad or m
+  S rotor{};      ///< kg m^2 or kg
+};
+
 /// A body with its numbers.
 template <class S>
 struct BodyOf : Body {
   Vector3<S> c;              ///< m, origin in the parent's frame at q = 0
   MassMomentsOf<S> inertia;  ///< of everything welded to this body; regrouped if the tree is
+  JointForcesOf<S> forces;   ///< zero unless asked for
 };
 
 /// A named link of the model and the body that carries it: x_body = R x_link + p.
@@ -84,6 +97,8 @@ struct DynamicTreeOf {
   Vector3<S> gravity{S(0), S(0), S(-9.81)};  ///< m/s^2, world axes
   std::vector<BodyOf<S>> body;               ///< body[0] is the world
   std::vector<FrameOf<S>> frame;             ///< every link, in the model's order
+  bool joint_forces = false;                 ///< some body has forces of its joint's own
+  double friction_rate = 0.01;               ///< rad/s or m/s, where friction reaches 71 %
   /// coupled[j]: the indices i < j for which M(i, j), or the fill of its factorisation from the
   /// last row up, can be non-zero, in descending order.  For a tree without mimic joints these are
   /// the ancestors of j.  Empty if nv > kLargestMatrix: such a tree is lowered to be inspected,

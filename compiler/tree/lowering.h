@@ -19,6 +19,8 @@ DynamicTreeOf<S> assemble(DraftOf<S> draft) {
   tree.nq = draft.nq;
   tree.nv = draft.nv;
   tree.gravity = draft.gravity;
+  tree.joint_forces = draft.joint_forces;
+  tree.friction_rate = draft.friction_rate;
   tree.frame = std::move(draft.frame);
   for (DraftBodyOf<S>& b : draft.body) {
     BodyOf<S>& body = b.body;
@@ -29,6 +31,7 @@ DynamicTreeOf<S> assemble(DraftOf<S> draft) {
     if (body.motion == Motion::kRevolute && body.offset != 0) {
       const SinCos offset = exact_sincos(body.offset);
       body.theta = clean_unit(compose(body.theta, Turn{offset.cos, offset.sin}));
+      body.forces.neutral = body.forces.neutral - S(body.offset);
       body.offset = 0;
     }
     tree.body.push_back(std::move(body));

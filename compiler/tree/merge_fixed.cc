@@ -31,10 +31,18 @@ Body moving_body(const Model& model, size_t k, const Coordinates& coordinates) {
   return body;
 }
 
-NumbersOf<double> numbers(const Model& model) {
+NumbersOf<double> numbers(const Model& model, const JointForces& forces) {
   NumbersOf<double> result;
   result.gravity = model.gravity;
-  for (const Joint& joint : model.joints) result.origin.push_back(joint.origin.xyz);
+  result.friction_rate = forces.friction_rate;
+  for (const Joint& joint : model.joints) {
+    result.origin.push_back(joint.origin.xyz);
+    if (!forces.any()) continue;
+    result.forces.push_back({forces.damping ? joint.damping : 0,
+                             forces.friction ? joint.friction : 0,
+                             forces.stiffness ? joint.stiffness : 0, joint.neutral,
+                             forces.rotor ? joint.rotor_inertia : 0});
+  }
   for (const Link& link : model.links)
     result.moments.push_back(link.inertial ? mass_moments(*link.inertial) : MassMoments{});
   return result;

@@ -11,13 +11,13 @@ Body moving_body(const Model& model, size_t k, const Coordinates& coordinates);
 /// Places the child's frame of joint k: on a new body if the joint moves, else on the parent's.
 template <class S>
 void place_child(const Model& model, size_t k, const Coordinates& coordinates,
-                 const Vector3<S>& origin, DraftOf<S>& draft) {
+                 const NumbersOf<S>& numbers, DraftOf<S>& draft) {
   const Joint& joint = model.joints[k];
   const FrameOf<S> world;
   const FrameOf<S>& parent =
       joint.parent < 0 ? world : draft.frame[static_cast<size_t>(joint.parent)];
   const Matrix3<double> R = rotate(parent.R, rotation(joint.origin));
-  const Vector3<S> p = place(parent.R, origin, parent.p);
+  const Vector3<S> p = place(parent.R, numbers.origin[k], parent.p);
   FrameOf<S>& child = draft.frame[static_cast<size_t>(joint.child)];
   if (joint.type == JointType::kFixed) {
     child.body = parent.body;
@@ -31,6 +31,7 @@ void place_child(const Model& model, size_t k, const Coordinates& coordinates,
   body.R = R;
   body.body.c = p;
   body.body.parent = parent.body;
+  if (!numbers.forces.empty()) body.body.forces = numbers.forces[k];
   child.body = static_cast<int>(draft.body.size());
   child.moving = true;
   draft.body.push_back(std::move(body));
@@ -43,6 +44,8 @@ DraftOf<S> merge_fixed(const Model& model, const NumbersOf<S>& numbers) {
   DraftOf<S> draft;
   draft.name = model.name;
   draft.gravity = numbers.gravity;
+  draft.joint_forces = !numbers.forces.empty();
+  draft.friction_rate = numbers.friction_rate;
   draft.body.emplace_back();
   draft.body[0].body.link = "world";
   draft.frame.resize(model.links.size());
@@ -51,8 +54,7 @@ DraftOf<S> merge_fixed(const Model& model, const NumbersOf<S>& numbers) {
   const Coordinates coords = coordinates(model);
   draft.nq = coords.nq;
   draft.nv = coords.nv;
-  for (size_t k = 0; k < model.joints.size(); ++k)
-    place_child(model, k, coords, numbers.origin[k], draft);
+  for (size_t k = 0; k < model.joints.size(); ++k) place_child(model, k, coords, numbers, draft);
 
   for (size_t k = 0; k < model.links.size(); ++k) {
     const FrameOf<S>& frame = draft.frame[k];
