@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/number.h"
 #include "emit/names.h"
+#include "model/findings.h"
+#include "model/names.h"
 #include "passes/passes.h"
 #include "record.h"
 
@@ -50,8 +53,23 @@ void check_size(const Model& model, int max_dof) {
         model.file, nv, max_dof, nv));
 }
 
+std::vector<int> reported_links(const Model& model, const std::vector<std::string>& frames) {
+  std::vector<int> links;
+  if (frames.empty())
+    for (const Joint& joint : model.joints)
+      if (nv(joint.type) > 0) links.push_back(joint.child);
+  for (const std::string& frame : frames) {
+    const int link = link_called(model, frame, "--frames");
+    if (std::find(links.begin(), links.end(), link) != links.end())
+      throw UsageError(fmt::format("--frames: {} is given twice", named("link", frame)));
+    links.push_back(link);
+  }
+  return links;
+}
+
 Compilation compile(const Model& model, const CompileOptions& options, Diagnostics& diagnostics) {
   Compilation result{configure(model, options.model, diagnostics), {}};
+  reported_links(result.model, options.frames);  // refuses unknown ones
   check_size(result.model, options.max_dof);
   for (const std::string& function : options.functions)
     result.functions.push_back(compile_function(function, result.model));
@@ -60,13 +78,26 @@ Compilation compile(const Model& model, const CompileOptions& options, Diagnosti
 
 namespace {
 
-std::vector<std::string> changed_options(const ModelOptions& options) {
+std::string text(const Lock& lock) {
+  std::string values;
+  for (const double x : lock.q) values += (values.empty() ? "" : ",") + shortest(x);
+  return lock.joint + "=" + values;
+}
+
+std::vector<std::string> changed_options(const CompileOptions& compile_options) {
+  const ModelOptions& options = compile_options.model;
   std::vector<std::string> changed;
   if (options.base == Base::kFloating) changed.emplace_back("--base floating");
   if (options.order == JointOrder::kAlphabetical)
     changed.emplace_back("--joint-order alphabetical");
   if (options.mimic == MimicPolicy::kIndependent) changed.emplace_back("--mimic independent");
   if (options.snap != ModelOptions().snap) changed.push_back("--snap " + shortest(options.snap));
+  for (const Lock& lock : options.locks) changed.push_back("--lock " + text(lock));
+  if (!options.root.empty()) changed.push_back("--root " + options.root);
+  if (!options.tips.empty())
+    changed.push_back(fmt::format("--tip {}", fmt::join(options.tips, ",")));
+  if (!compile_options.frames.empty())
+    changed.push_back(fmt::format("--frames {}", fmt::join(compile_options.frames, ",")));
   return changed;
 }
 
@@ -124,7 +155,7 @@ TargetModel target(const Compilation& compilation, const CompileOptions& options
   target.name = identifier(model.name);
   target.source_file = model.file;
   target.source_sha256 = model.source_sha256;
-  target.options = changed_options(options.model);
+  target.options = changed_options(options);
   describe_joints(model, target);
   for (const CompiledFunction& f : compilation.functions) {
     target.functions.push_back({f.signature, f.patterns, f.program});

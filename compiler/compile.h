@@ -13,6 +13,7 @@ namespace arboc {
 struct CompileOptions {
   ModelOptions model;
   std::vector<std::string> functions;  ///< names of the catalogue, in the order of emission
+  std::vector<std::string> frames;     ///< links that fk reports; empty: each that a joint moves
   int max_dof = 512;                   ///< refuse larger models
 };
 
@@ -31,6 +32,11 @@ CompiledFunction compile_function(const std::string& function, const Model& mode
 
 /// Refuses what cannot be traced: no degrees of freedom, or more than max_dof.
 void check_size(const Model& model, int max_dof);
+
+/// Indices of the links whose frames are reported: those of `frames` in this order, or if there are
+/// none, each that a joint moves, in the order of the joints.  `model` is configured.  Throws
+/// UsageError for an unknown or repeated name.
+std::vector<int> reported_links(const Model& model, const std::vector<std::string>& frames);
 
 struct Compilation {
   Model model;  ///< configured

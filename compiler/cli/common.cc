@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <sstream>
@@ -23,6 +24,60 @@ extern "C" void on_interrupt(int) {
   constexpr char kMessage[] = "interrupted\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, kMessage, sizeof kMessage - 1);
   _exit(kInterrupted);
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream list(text);
+  for (std::string word; std::getline(list, word, ',');) words.push_back(word);
+  return words;
+}
+
+/// "elbow=0.5" or "base=0,0,1,0,0,0,1"; names may contain '='.
+Lock parse_lock(const std::string& text) {
+  const CLI::ValidationError wrong("--lock",
+                                   "expected JOINT=VALUE[,VALUE...], not " + printable(text));
+  const size_t end = text.rfind('=');
+  if (end == std::string::npos || end == 0) throw wrong;
+  constexpr double kLargest = 1e9;  // of which exact_sincos knows the sine
+  Lock lock{text.substr(0, end), {}};
+  for (const std::string& word : split(text.substr(end + 1))) {
+    const auto value = parse_finite(word);
+    if (!value || std::fabs(*value) >= kLargest) throw wrong;
+    lock.q.push_back(*value);
+  }
+  if (lock.q.empty()) throw wrong;
+  return lock;
+}
+
+void add_subchain_options(CLI::App& app, Common& common) {
+  ModelOptions& m = common.compile.model;
+  app.add_option_function<std::vector<std::string>>(
+         "--lock",
+         [&m](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) m.locks.push_back(parse_lock(text));
+         },
+         "hold a joint at a place (rad or m; all coordinates of joints with several)")
+      ->allow_extra_args(false)
+      ->type_name("JOINT=VALUE")
+      ->group("Model");
+  app.add_option("--root", m.root, "keep what hangs on this link, which becomes the root")
+      ->type_name("LINK")
+      ->group("Model");
+  const auto add_links = [&](const char* name, std::vector<std::string>& links, const char* text) {
+    app.add_option_function<std::string>(
+           name,
+           [name, &links](const std::string& list) {
+             links = split(list);
+             if (links.empty()) throw CLI::ValidationError(name, "the list is empty");
+           },
+           text)
+        ->type_name("LINK[,...]")
+        ->group("Model");
+  };
+  add_links("--tip", m.tips, "keep the chains from the root to these links");
+  add_links("--frames", common.compile.frames,
+            "links that fk reports (default: each that a joint moves)");
 }
 
 /// An angle tolerance; CLI::Range lets nan through.
@@ -74,6 +129,7 @@ void add_model_options(CLI::App& app, Common& common) {
       ->capture_default_str()
       ->type_name("TOL")
       ->group("Model");
+  add_subchain_options(app, common);
   app.add_option("--max-dof", common.compile.max_dof, "refuse to trace larger models")
       ->check(count())
       ->capture_default_str()
@@ -104,8 +160,7 @@ void add_compiler_options(CLI::App& app, Common& common) {
 std::vector<std::string> function_list(const std::string& text) {
   if (text == "all") return function_names();
   std::vector<std::string> names;
-  std::istringstream list(text);
-  for (std::string name; std::getline(list, name, ',');) {
+  for (const std::string& name : split(text)) {
     if (!is_function(name)) unknown_function("--functions", name);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }

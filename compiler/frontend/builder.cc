@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "base/number.h"
+#include "base/words.h"
 
 namespace arboc {
 namespace {

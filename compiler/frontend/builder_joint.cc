@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/number.h"
+#include "base/words.h"
 #include "frontend/builder.h"
 
 namespace arboc {

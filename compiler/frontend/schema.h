@@ -58,11 +58,4 @@ const ElementSpec& robot_schema();
 /// The name of a read element in which one called `name` may stand, or nothing.
 const char* home_of(std::string_view name);
 
-/// The word among `known` that `word` most likely means: it differs in the case of letters only,
-/// or by so few letters typed wrong, left out, added or swapped that a typo is likely.
-std::string nearest(std::string_view word, const std::vector<std::string_view>& known);
-
-/// Equal but for the case of ASCII letters.
-bool equal_but_for_case(std::string_view a, std::string_view b);
-
 }  // namespace arboc

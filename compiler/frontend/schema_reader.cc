@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/words.h"
 #include "frontend/values.h"
 
 namespace arboc {

@@ -7,7 +7,7 @@
 
 #include "base/exact_trig.h"
 #include "base/number.h"
-#include "model/model.h"
+#include "model/configure_steps.h"
 
 namespace arboc {
 namespace {
@@ -146,10 +146,13 @@ void reorder(Model& model, const std::vector<int>& order) {
 
 Model configure(Model model, const ModelOptions& options, Diagnostics& diagnostics) {
   if (!options.name.empty()) model.name = options.name;
-  if (options.base == Base::kFloating) add_floating_root(model);
+  if (options.snap > 0) snap(model, options.snap, diagnostics);
   if (options.mimic == MimicPolicy::kIndependent)
     for (Joint& joint : model.joints) joint.mimic.reset();
-  if (options.snap > 0) snap(model, options.snap, diagnostics);
+  if (!options.locks.empty()) lock_joints(model, options.locks, diagnostics);
+  if (!options.root.empty() || !options.tips.empty())
+    keep_subchain(model, options.root, options.tips, diagnostics);
+  if (options.base == Base::kFloating) add_floating_root(model);
   reorder(model, depth_first(model, options.order));
   return model;
 }

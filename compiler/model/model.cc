@@ -24,6 +24,7 @@ Matrix3<double> rotation(const Pose& pose) {
   Matrix3<double> R{{{cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr},
                      {sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr},
                      {-sp, cp * sr, cp * cr}}};
+  R = R * pose.turn;
   for (auto& row : R.m)
     for (double& entry : row) entry = clean_unit(entry);
   return R;

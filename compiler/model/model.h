@@ -17,10 +17,12 @@
 
 namespace arboc {
 
-/// Placement of a frame B in a frame A, as written: p_AB = xyz, R_AB = Rz(yaw) Ry(pitch) Rx(roll).
+/// Placement of a frame B in a frame A, as written: p_AB = xyz, R_AB = Rz(yaw) Ry(pitch) Rx(roll)
+/// turn.
 struct Pose {
   Vector3<double> xyz;  ///< m
   Vector3<double> rpy;  ///< rad; roll, pitch, yaw about the fixed axes x, y, z of A
+  Matrix3<double> turn = Matrix3<double>::identity();  ///< a rotation: of a joint that was locked
 };
 
 /// R_AB of a pose: sines and cosines by exact_sincos, entries within 4 eps of 0 or +-1 cleaned.
@@ -107,20 +109,31 @@ enum class Base { kFixed, kFloating };
 enum class MimicPolicy { kFollow, kIndependent };
 enum class JointOrder { kFile, kAlphabetical };
 
+/// A joint that is to be held at a place.
+struct Lock {
+  std::string joint;
+  std::vector<double> q;  ///< nq entries, rad or m
+};
+
 struct ModelOptions {
   Base base = Base::kFixed;
   MimicPolicy mimic = MimicPolicy::kFollow;
   JointOrder order = JointOrder::kFile;
   std::string name;  ///< replaces the model's name; empty: keep
+  std::vector<Lock> locks;
+  std::string root;               ///< link whose subtree is kept; empty: the model's root
+  std::vector<std::string> tips;  ///< links that the kept chains lead to; empty: all
   double snap =
       1e-9;  ///< rad; written angles this close to a multiple of 15 degrees become it; 0: off
 };
 
-/// Applies the options: attaches the root to the world by a floating joint ("root_joint"), frees
-/// mimic followers, snaps written angles and axis components (each reported as a note), and sorts
-/// links and joints depth first (children in file order, or by joint name bytewise).  Afterwards
-/// parents come before children: joints[k].parent is the root or the child of an earlier joint.
-/// Linear in the number of links; no recursion.
+/// Applies the options: snaps written angles and axis components (each reported as a note), frees
+/// mimic followers, makes locked joints fixed ones, keeps the subchain between root and tips,
+/// attaches the root to the world by a floating joint ("root_joint"), and sorts links and joints
+/// depth first (children in file order, or by joint name bytewise).  Afterwards parents come before
+/// children: joints[k].parent is the root or the child of an earlier joint.  Linear in the number
+/// of links; no recursion.  Throws UsageError for names that the model lacks, InputError if a kept
+/// joint follows one that is cut off.
 Model configure(Model model, const ModelOptions& options, Diagnostics& diagnostics);
 
 /// Where each joint of a configured model finds its coordinates.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -13,8 +14,17 @@ std::string text(const Vector3<double>& a) {
   return fmt::format("{} {} {}", shortest(a.x), shortest(a.y), shortest(a.z));
 }
 
+bool is_identity(const Matrix3<double>& R) {
+  const Matrix3<double> one = Matrix3<double>::identity();
+  return std::equal(&R.m[0][0], &R.m[0][0] + 9, &one.m[0][0]);
+}
+
 std::string text(const Pose& pose) {
-  return fmt::format("xyz({}) rpy({})", text(pose.xyz), text(pose.rpy));
+  std::string out = fmt::format("xyz({}) rpy({})", text(pose.xyz), text(pose.rpy));
+  if (!is_identity(pose.turn))
+    out += fmt::format(" turn({} {} {})", text(column(pose.turn, 0)), text(column(pose.turn, 1)),
+                       text(column(pose.turn, 2)));
+  return out;
 }
 
 }  // namespace

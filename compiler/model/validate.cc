@@ -157,7 +157,7 @@ std::vector<int> outward(const Model& model, const std::vector<int>& joint_of) {
   std::vector<std::vector<int>> children(model.links.size());
   for (size_t k = 0; k < model.joints.size(); ++k) {
     const Joint& j = model.joints[k];
-    if (at(joint_of[at(j.child)]) == k) children[at(j.parent)].push_back(j.child);
+    if (j.parent >= 0 && at(joint_of[at(j.child)]) == k) children[at(j.parent)].push_back(j.child);
   }
   std::vector<int> order{model.root};
   for (size_t k = 0; k < order.size(); ++k) {

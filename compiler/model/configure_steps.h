@@ -1,0 +1,22 @@
+// The larger steps of configure(), each in a file of its name.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "model/model.h"
+
+namespace arboc {
+
+/// Makes the named joints and the followers of these fixed joints, whose placements take up where
+/// they stand.  Warns of places beyond a joint's limits.  Throws UsageError for an unknown joint,
+/// one that cannot be locked, and a wrong number of coordinates.
+void lock_joints(Model& model, const std::vector<Lock>& locks, Diagnostics& diagnostics);
+
+/// Drops all but the subtree of the link `root` (empty: of model.root), which becomes the root, and
+/// if there are tips, all but the links on the paths to these and what is welded to a kept link.
+/// Says in a note what was dropped.  Throws UsageError for unknown links and for tips that do not
+/// hang on the root, InputError if a kept joint follows a dropped one.
+void keep_subchain(Model& model, const std::string& root, const std::vector<std::string>& tips,
+                   Diagnostics& diagnostics);
+
+}  // namespace arboc
