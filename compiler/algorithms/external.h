@@ -64,7 +64,7 @@ Wrench<T> load_on_body(const Tree& tree, const Poses<T>& pose, const Loads<T>& l
 
 /// Takes the loads from the wrenches that the bodies need.
 template <class Tree, class T>
-void subtract_loads(const Tree& tree, const Poses<T>& pose, const Loads<T>& loads,
+ARBOC_COLD void subtract_loads(const Tree& tree, const Poses<T>& pose, const Loads<T>& loads,
                     std::vector<Wrench<T>>& wrench) {
   for (size_t k = 0; k < loads.frames->size(); ++k) {
     const Wrench<T> load = load_on_body(tree, pose, loads, k);
@@ -113,7 +113,7 @@ std::vector<WorldColumn<T>> world_columns(const Tree& tree, const Poses<T>& pose
 ///   world    ds_i/dq_j = s_j x s_i,              ds_j/dq_i = 0
 ///   aligned  d(l_i + w_i x x)/dq_j = w_j x (l_i + w_i x x) = d(l_j + w_j x x)/dq_i.
 template <class Tree, class T, class Square>
-void add_load_derivatives(const Tree& tree, const Poses<T>& pose, const Loads<T>& loads,
+ARBOC_COLD void add_load_derivatives(const Tree& tree, const Poses<T>& pose, const Loads<T>& loads,
                           Square& dtau_dq) {
   if (loads.axes == Axes::kLocal) return;
   for (size_t k = 0; k < loads.frames->size(); ++k) {

@@ -24,7 +24,7 @@ T friction_slope(const T& friction, const T& r, double s) {
 
 /// Adds them to tau (nv); without accelerations `a` is not read.
 template <bool kAccelerated, class Tree, class T>
-void add_joint_forces(const Tree& tree, const T* q, const T* v, const T* a, T* tau) {
+ARBOC_COLD void add_joint_forces(const Tree& tree, const T* q, const T* v, const T* a, T* tau) {
   if (!tree.joint_forces) return;
   for (const auto& body : tree.body) {
     const auto& f = body.forces;
@@ -46,7 +46,7 @@ void add_joint_forces(const Tree& tree, const T* q, const T* v, const T* a, T* t
 
 /// Adds the rotors to the diagonal of M.
 template <class Tree, class Matrix>
-void add_rotors(const Tree& tree, Matrix& M) {
+ARBOC_COLD void add_rotors(const Tree& tree, Matrix& M) {
   if (!tree.joint_forces) return;
   for (const auto& body : tree.body) {
     if (vanishes(body.forces.rotor)) continue;
@@ -59,7 +59,7 @@ void add_rotors(const Tree& tree, Matrix& M) {
 
 /// Adds the derivatives of the others to those of tau with respect to q and v.
 template <class Tree, class T, class Square>
-void add_joint_force_derivatives(const Tree& tree, const T* v, Square& dtau_dq, Square& dtau_dv) {
+ARBOC_COLD void add_joint_force_derivatives(const Tree& tree, const T* v, Square& dtau_dq, Square& dtau_dv) {
   if (!tree.joint_forces) return;
   for (const auto& body : tree.body) {
     const auto& f = body.forces;

@@ -77,17 +77,21 @@ ARBOC_INLINE Wrench<T> inertial_wrench(const MassMomentsOf<S>& inertia, const Li
   return {inertia.m * motion.dv + motion.U * h, moment + cross(h, motion.dv)};
 }
 
-/// The recursion behind rnea and nle; the poses in the workspace are up to date.
+/// Motions and wrenches of all links, from the world outward; the poses are up to date.
 template <bool kAccelerated, class Tree, class T>
-void newton_euler(const Tree& tree, const Poses<T>& pose, RneaWorkspace<T>& work, const T* q,
-                  const T* v, const T* a, T* tau, const Loads<T>* loads = nullptr) {
+void sweep_out(const Tree& tree, const Poses<T>& pose, RneaWorkspace<T>& work, const T* q,
+               const T* v, const T* a) {
   for (int i = 1; i <= tree.nb(); ++i) {
     const auto& body = tree.body[i];
     enter_block(q, body.link, "motion");
     advance<kAccelerated>(body, pose[i], work.motion[body.parent], v, a, work.motion[i]);
     work.wrench[i] = inertial_wrench(body.inertia, work.motion[i], work.needed[i]);
   }
-  if (loads) subtract_loads(tree, pose, *loads, work.wrench);
+}
+
+/// Carries the wrenches to the world; what the joints feel of them goes to tau.
+template <class Tree, class T>
+void sweep_in(const Tree& tree, const Poses<T>& pose, RneaWorkspace<T>& work, const T* q, T* tau) {
   for (int k = 0; k < tree.nv; ++k) tau[k] = T(0);
   for (int i = tree.nb(); i > 0; --i) {
     const auto& body = tree.body[i];
@@ -99,7 +103,16 @@ void newton_euler(const Tree& tree, const Poses<T>& pose, RneaWorkspace<T>& work
     parent.f += carried.f;
     parent.n += carried.n;
   }
-  add_joint_forces<kAccelerated>(tree, q, v, a, tau);
+}
+
+/// The recursion behind rnea and nle; the poses are up to date.
+template <bool kAccelerated, class Tree, class T>
+void newton_euler(const Tree& tree, const Poses<T>& pose, RneaWorkspace<T>& work, const T* q,
+                  const T* v, const T* a, T* tau, const Loads<T>* loads = nullptr) {
+  sweep_out<kAccelerated>(tree, pose, work, q, v, a);
+  if (loads) subtract_loads(tree, pose, *loads, work.wrench);
+  sweep_in(tree, pose, work, q, tau);
+  if (tree.joint_forces) add_joint_forces<kAccelerated>(tree, q, v, a, tau);
 }
 
 /// q (nq), v, a (nv) -> tau (nv): joint forces that produce the acceleration a under

@@ -113,10 +113,11 @@ void refuse_singular(const DynamicTree& tree, const std::vector<Expr>& pivots,
                      const std::string& function) {
   for (size_t k = pivots.size(); k-- > 0;) {
     if (!pivots[k].is_constant() || pivots[k].value() > 0) continue;
-    const auto body = std::find_if(tree.body.begin(), tree.body.end(), [&](const BodyOf<double>& b) {
-      const int first = b.v, last = b.v + freedoms(b.motion);
-      return first <= static_cast<int>(k) && static_cast<int>(k) < last;
-    });
+    const auto body =
+        std::find_if(tree.body.begin(), tree.body.end(), [&](const BodyOf<double>& b) {
+          const int first = b.v, last = b.v + freedoms(b.motion);
+          return first <= static_cast<int>(k) && static_cast<int>(k) < last;
+        });
     throw InputError(
         fmt::format("error: joint '{}': what it moves has no inertia about its axis, so {} has no "
                     "solution (give its "
