@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "base/number.h"
-#include "reference/differences.h"
 
 namespace arboc {
 namespace {
@@ -102,10 +101,11 @@ Values evaluate_reference(const std::string& function, const Model& model,
   if (function == "crba") return {{"M", by_rows(reference.crba(q))}};
   if (function == "minv") return {{"Minv", by_rows(reference.minv(q))}};
   if (function == "rnea_derivatives") {
-    const auto d =
-        differentiate_rnea(reference, model, {q, vector(inputs, "v"), vector(inputs, "a")});
-    return {{"dtau_dq", by_rows(d.dtau_dq)},
-            {"dtau_dv", by_rows(d.dtau_dv)},
+    const ComplexReference complex(model);
+    const auto rnea = [](const auto& r, const auto& x) { return r.rnea(x.q, x.v, x.a); };
+    const State at{q, vector(inputs, "v"), vector(inputs, "a"), {}};
+    return {{"dtau_dq", by_rows(differentiate(complex, rnea, at, With::kQ))},
+            {"dtau_dv", by_rows(differentiate(complex, rnea, at, With::kV))},
             {"M", by_rows(reference.crba(q))}};
   }
   return {{"qdd", values(reference.aba(q, vector(inputs, "v"), vector(inputs, "tau")))}};

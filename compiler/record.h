@@ -1,22 +1,16 @@
 // Results of the reference engine at a few random states, for the selftest of generated code.
 #pragma once
-#include <Eigen/Core>
 #include <cstdint>
 
 #include "emit/target.h"
 #include "functions/catalogue.h"
 #include "model/model.h"
-#include "reference/reference.h"
+#include "reference/differentiate.h"
 
 namespace arboc {
 
-/// A random configuration and motion: angles within +-pi and the limits, lengths within +-1 m,
-/// quaternions of length 1; v within +-2, a within +-5, tau within +-10.
-struct State {
-  Eigen::VectorXd q, v, a, tau;
-};
-
-/// The same states for the same seed on every machine.
+/// Random states: angles within +-pi and the limits, lengths within +-1 m, quaternions of length 1;
+/// v within +-2, a within +-5, tau within +-10.  The same for the same seed on every machine.
 class StateSource {
  public:
   explicit StateSource(std::uint64_t seed) : state_(seed) {}

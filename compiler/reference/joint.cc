@@ -1,77 +1,106 @@
 #include "reference/joint.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 
-#include "base/exact_trig.h"
 #include "reference/eigen.h"
 
 namespace arboc {
 namespace {
 
-Eigen::Quaterniond quaternion(const Eigen::VectorXd& q) { return {q[6], q[3], q[4], q[5]}; }
+using spatial6::Mat3;
+using spatial6::Vec3;
 
-/// The same bits on every machine where exact_sincos reaches: results are recorded for selftests.
-SinCos sincos(double x) {
-  if (std::fabs(x) < 1e9) return exact_sincos(x);
-  return {std::sin(x), std::cos(x)};
+/// Rotation by `angle` (rad) about the unit vector `axis`.
+template <class S>
+Mat3<S> rotation_about(const Eigen::Vector3d& axis, const S& angle) {
+  const auto [s, c] = scalar::sincos(angle);
+  const Mat3<S> cross = spatial6::skew(axis).cast<S>();
+  const Mat3<S> along = (axis * axis.transpose()).cast<S>();
+  return c * Mat3<S>::Identity() + s * cross + (1. - c) * along;
 }
 
-/// sin x / x.
-double sinc(double x) { return std::fabs(x) < 1e-4 ? 1 - x * x / 6 : sincos(x).sin / x; }
-
-/// (1 - cos x) / x^2, without cancellation.
-double versine(double x) { return sinc(x / 2) * sinc(x / 2) / 2; }
-
-/// (x - sin x) / x^3; the series where the difference would cancel.
-double third(double x) {
-  const double xx = x * x;
-  if (xx < 0.01) return (1 - xx / 20 * (1 - xx / 42 * (1 - xx / 72))) / 6;
-  return (x - sincos(x).sin) / (xx * x);
+template <class S>
+Eigen::Quaternion<S> quaternion(const VectorOf<S>& q) {
+  return {q[6], q[3], q[4], q[5]};
 }
 
-Eigen::VectorXd integrate_floating(const Eigen::VectorXd& q, const Eigen::VectorXd& dv) {
-  const Eigen::Vector3d u = dv.head<3>(), w = dv.tail<3>();
-  const double angle = w.norm();
-  const Eigen::Matrix3d W = spatial6::skew(w);
-  const Eigen::Vector3d p = u + versine(angle) * W * u + third(angle) * W * W * u;
-  const Eigen::Vector3d half = sinc(angle / 2) / 2 * w;
-  const Eigen::Quaterniond turn(sincos(angle / 2).cos, half.x(), half.y(), half.z());
-  Eigen::VectorXd result(7);
-  result.head<3>() = q.head<3>() + quaternion(q).toRotationMatrix() * p;
-  result.tail<4>() = (quaternion(q) * turn).coeffs();
+template <class S>
+VectorOf<S> integrate_floating(const VectorOf<S>& q, const VectorOf<S>& dv) {
+  const Vec3<S> u = dv.template head<3>(), w = dv.template tail<3>();
+  const S xx = w.cwiseProduct(w).sum();
+  const Mat3<S> W = spatial6::skew(w);
+  const Vec3<S> Wu = W * u;
+  const Vec3<S> p = u + scalar::versine(xx) * Wu + scalar::third(xx) * (W * Wu);
+  const S quarter = xx / 4.;
+  const Vec3<S> half = S(scalar::sinc(quarter) / 2.) * w;
+  const Eigen::Quaternion<S> turn(scalar::cosine(quarter), half.x(), half.y(), half.z());
+  VectorOf<S> result(7);
+  result.template head<3>() = q.template head<3>() + quaternion(q).toRotationMatrix() * p;
+  result.template tail<4>() = (quaternion(q) * turn).coeffs();
   return result;
 }
 
-Eigen::VectorXd integrate_planar(const Eigen::VectorXd& q, const Eigen::VectorXd& dv) {
-  const double s = sinc(dv[2]), c = dv[2] * versine(dv[2]);
-  const Eigen::Vector2d p(s * dv[0] - c * dv[1], c * dv[0] + s * dv[1]);
-  Eigen::VectorXd result = q;
-  const auto [sin, cos] = sincos(q[2]);
-  result[0] += cos * p[0] - sin * p[1];
-  result[1] += sin * p[0] + cos * p[1];
-  result[2] += dv[2];
+/// The inverse of integrate_floating: logarithm of the quaternion, then the inverse of the matrix
+/// 1 + versine W + third W^2 that made p of u.
+template <class S>
+VectorOf<S> difference_floating(const VectorOf<S>& q0, const VectorOf<S>& q1) {
+  const Eigen::Quaternion<S> a = quaternion(q0), b = quaternion(q1);
+  const Eigen::Quaternion<S> turn = Eigen::Quaternion<S>(a.w(), -a.x(), -a.y(), -a.z()) * b;
+  const double sign = scalar::real_part(turn.w()) < 0 ? -1 : 1;
+  const Vec3<S> half(sign * turn.x(), sign * turn.y(), sign * turn.z());
+  const S nn = half.cwiseProduct(half).sum();
+  const Vec3<S> w = S(2. * scalar::angle_ratio(nn, S(sign * turn.w()))) * half;
+  const Vec3<S> p =
+      a.toRotationMatrix().transpose() * (q1.template head<3>() - q0.template head<3>());
+  const Mat3<S> W = spatial6::skew(w);
+  const Vec3<S> Wp = W * p;
+  VectorOf<S> result(6);
+  result << p - Wp / 2. + scalar::cotangent_rest(S(w.cwiseProduct(w).sum())) * (W * Wp), w;
+  return result;
+}
+
+/// (x, y) turned by `angle`.
+template <class S>
+Eigen::Matrix<S, 2, 1> turned(const S& angle, const S& x, const S& y) {
+  const auto [s, c] = scalar::sincos(angle);
+  return {c * x - s * y, s * x + c * y};
+}
+
+/// Moving evenly while turning by x leads along the chord: half the turn, shortened by sinc(x / 2).
+template <class S>
+VectorOf<S> integrate_planar(const VectorOf<S>& q, const VectorOf<S>& dv) {
+  const S half = dv[2] / 2.;
+  const S shorter = scalar::sinc(S(half * half));
+  VectorOf<S> result = q + dv;
+  result.template head<2>() =
+      q.template head<2>() + shorter * turned(S(q[2] + half), S(dv[0]), S(dv[1]));
+  return result;
+}
+
+template <class S>
+VectorOf<S> difference_planar(const VectorOf<S>& q0, const VectorOf<S>& q1) {
+  VectorOf<S> result = q1 - q0;
+  const S half = result[2] / 2.;
+  const S shorter = scalar::sinc(S(half * half));
+  result.template head<2>() =
+      (turned(S(-q0[2] - half), S(result[0]), S(result[1])) / shorter).eval();
   return result;
 }
 
 }  // namespace
 
-Eigen::Matrix3d rotation_about(const Eigen::Vector3d& axis, double angle) {
-  const auto [s, c] = sincos(angle);
-  return c * Eigen::Matrix3d::Identity() + s * spatial6::skew(axis) +
-         (1 - c) * axis * axis.transpose();
-}
-
-Placement joint_placement(const Joint& joint, const Eigen::VectorXd& q) {
+template <class S>
+PlacementOf<S> joint_placement(const Joint& joint, const VectorOf<S>& q) {
   const Eigen::Vector3d axis = to_eigen(joint.axis);
+  const Vec3<S> zero = Vec3<S>::Zero();
   switch (joint.type) {
     case JointType::kFixed: return {};
     case JointType::kRevolute:
-    case JointType::kContinuous: return {rotation_about(axis, q[0]), Eigen::Vector3d::Zero()};
-    case JointType::kPrismatic: return {Eigen::Matrix3d::Identity(), axis * q[0]};
-    case JointType::kFloating: return {quaternion(q).toRotationMatrix(), q.head<3>()};
+    case JointType::kContinuous: return {rotation_about(axis, q[0]), zero};
+    case JointType::kPrismatic: return {Mat3<S>::Identity(), axis.cast<S>() * q[0]};
+    case JointType::kFloating: return {quaternion(q).toRotationMatrix(), q.template head<3>()};
     case JointType::kPlanar: {
-      const Eigen::Matrix3d F = to_eigen(axis_frame(joint.axis));
+      const Mat3<S> F = to_eigen(axis_frame(joint.axis)).cast<S>();
       return {rotation_about(axis, q[2]), F.col(0) * q[0] + F.col(1) * q[1]};
     }
   }
@@ -97,11 +126,30 @@ Eigen::MatrixXd motion_subspace(const Joint& joint) {
   return S;
 }
 
-Eigen::VectorXd integrate_joint(const Joint& joint, const Eigen::VectorXd& q,
-                                const Eigen::VectorXd& dv) {
-  if (joint.type == JointType::kFloating) return integrate_floating(q, dv);
-  if (joint.type == JointType::kPlanar) return integrate_planar(q, dv);
+template <class S>
+VectorOf<S> integrate_joint(const Joint& joint, const VectorOf<S>& q,
+                            const std::type_identity_t<VectorOf<S>>& dv) {
+  if (joint.type == JointType::kFloating) return integrate_floating<S>(q, dv);
+  if (joint.type == JointType::kPlanar) return integrate_planar<S>(q, dv);
   return q + dv;
 }
+
+template <class S>
+VectorOf<S> joint_difference(const Joint& joint, const VectorOf<S>& q0, const VectorOf<S>& q1) {
+  if (joint.type == JointType::kFloating) return difference_floating<S>(q0, q1);
+  if (joint.type == JointType::kPlanar) return difference_planar<S>(q0, q1);
+  return q1 - q0;
+}
+
+template Placement joint_placement(const Joint&, const VectorOf<double>&);
+template PlacementOf<Complex> joint_placement(const Joint&, const VectorOf<Complex>&);
+template VectorOf<double> integrate_joint(const Joint&, const VectorOf<double>&,
+                                          const VectorOf<double>&);
+template VectorOf<Complex> integrate_joint(const Joint&, const VectorOf<Complex>&,
+                                           const VectorOf<Complex>&);
+template VectorOf<double> joint_difference(const Joint&, const VectorOf<double>&,
+                                           const VectorOf<double>&);
+template VectorOf<Complex> joint_difference(const Joint&, const VectorOf<Complex>&,
+                                            const VectorOf<Complex>&);
 
 }  // namespace arboc

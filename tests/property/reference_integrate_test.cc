@@ -53,7 +53,7 @@ TEST_P(ReferenceIntegrate, IsTheLimitOfSmallSteps) {
   const VectorXd dv = random.vector(nv(j.type), 1);
   const VectorXd q = random_pose(random, j.type);
   const Eigen::MatrixXd S = motion_subspace(j);
-  const spatial6::Vector6 twist = S * dv;
+  const spatial6::Vector6<double> twist = S * dv;
   constexpr int kSteps = 10000;
   Placement T = joint_placement(j, q);
   for (int k = 0; k < kSteps; ++k) {
