@@ -1,0 +1,44 @@
+#include "derive/forward.h"
+
+#include <algorithm>
+
+#include "derive/rules.h"
+
+namespace arboc {
+
+ForwardSweep::ForwardSweep(Builder& builder, const std::vector<Ref>& roots,
+                           const std::vector<Coordinate>& coordinates)
+    : builder_(builder), zero_(builder.constant(0)) {
+  const std::vector<char> barrier = barriers(coordinates, end_of(roots));
+  const Region& region = builder.region();
+  const std::vector<char> need = needed(region, roots, barrier);
+  for (std::uint32_t n = 0; n < need.size(); ++n)
+    if (need[n] && !barrier[n] && operand_count(region.nodes[n].op) > 0) order_.push_back(n);
+  derivative_.assign(need.size(), zero_);
+}
+
+void ForwardSweep::run(const Coordinate& coordinate) {
+  builder_.begin_block("derivative by " + coordinate.name);
+  std::fill(derivative_.begin(), derivative_.end(), zero_);
+  std::uint32_t first = ~0u;
+  for (const Seed& seed : coordinate.seeds) {
+    const std::uint32_t n = seed.node.node();
+    if (n >= derivative_.size() || is_zero(builder_, seed.derivative)) continue;
+    derivative_[n] = seed.derivative.with_sign_of(seed.node);
+    first = std::min(first, n);
+  }
+  const auto moves = [&](Ref ref) { return derivative_[ref.node()].node() != zero_.node(); };
+  for (auto at = std::upper_bound(order_.begin(), order_.end(), first); at != order_.end(); ++at) {
+    bool moving = false;
+    const Region& region = builder_.region();
+    for_each_operand(region, region.nodes[*at], [&](Ref r) { moving = moving || moves(r); });
+    if (!moving) continue;
+    Ref sum = zero_;
+    for (const Partial& p : partials(builder_, *at))
+      if (moves(p.operand))
+        sum = builder_.add(sum, builder_.mul(p.factor, derivative_[p.operand.node()]));
+    derivative_[*at] = is_zero(builder_, sum) ? zero_ : sum;
+  }
+}
+
+}  // namespace arboc

@@ -1,0 +1,33 @@
+// Second derivatives: forward sweeps over the nodes of the reverse sweep.
+//
+// With E_i the derivative along coordinate i, a sweep along j over the gradient (E_i f)_i gives the
+// iterated derivatives E_j(E_i f).  Coordinates of one group do not commute (turns about a body's
+// axes, its own moves): there the symmetric second derivative, that of f(q (+) d) at d = 0 for the
+// exponential (+), is the mean of both orders.  Everywhere else one order will do, and which one is
+// chosen by the number of operations.
+#pragma once
+#include <vector>
+
+#include "derive/coordinate.h"
+
+namespace arboc {
+
+using CoordinateBlock = std::vector<Coordinate>;
+
+/// A part of the Hessian: rows are the coordinates of one block, columns those of another.
+struct BlockPair {
+  size_t row = 0, col = 0;
+};
+
+/// Symmetric second derivatives of `sum`, one matrix a pair; of a block with itself the upper
+/// triangle.  Blocks list their coordinates in one order, say that of the joints.
+/// Cost: O(coordinates * nodes of the gradient).
+std::vector<SparseMatrix> hessian(Builder& builder, const WeightedSum& sum,
+                                  const std::vector<CoordinateBlock>& blocks,
+                                  const std::vector<BlockPair>& pairs);
+
+/// Entry (i, j) is E_j(E_i f); full and, within groups, not symmetric.
+SparseMatrix iterated_hessian(Builder& builder, const WeightedSum& sum,
+                              const std::vector<Coordinate>& coordinates);
+
+}  // namespace arboc

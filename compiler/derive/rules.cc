@@ -1,0 +1,65 @@
+#include "derive/rules.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace arboc {
+namespace {
+
+Partial partial(Ref operand, Ref factor) {
+  return {operand.positive(), factor.with_sign_of(operand)};
+}
+
+}  // namespace
+
+Partials partials(Builder& builder, std::uint32_t n) {
+  const Node node = builder.region().nodes[n];  // a copy: the arena grows
+  const Ref self(n), a = node.a, b = node.b;
+  switch (node.op) {
+    case Op::kConstant:
+    case Op::kInput: return {};
+    case Op::kAdd: {
+      const Ref one = builder.constant(1);
+      return {{partial(a, one), partial(b, one)}, 2};
+    }
+    case Op::kMul:
+      if (a == b) return {{partial(a, builder.mul(builder.constant(2), a))}, 1};
+      return {{partial(a, b), partial(b, a)}, 2};
+    case Op::kDiv: {
+      const Ref inverse = builder.div(builder.constant(1), b);
+      return {{partial(a, inverse), partial(b, -builder.mul(self, inverse))}, 2};
+    }
+    case Op::kSqrt: return {{partial(a, builder.div(builder.constant(0.5), self))}, 1};
+    case Op::kSin: return {{partial(a, builder.cos(a))}, 1};
+    case Op::kCos: return {{partial(a, -builder.sin(a))}, 1};
+    case Op::kSum: break;
+  }
+  throw std::logic_error("derive: the graph has been fused already");
+}
+
+size_t end_of(const std::vector<Ref>& refs) {
+  size_t end = 0;
+  for (const Ref ref : refs) end = std::max(end, size_t{ref.node()} + 1);
+  return end;
+}
+
+std::vector<char> barriers(const std::vector<Coordinate>& coordinates, size_t end) {
+  std::vector<char> barrier(end, 0);
+  for (const Coordinate& coordinate : coordinates)
+    for (const Seed& seed : coordinate.seeds)
+      if (seed.node.node() < end) barrier[seed.node.node()] = 1;
+  return barrier;
+}
+
+std::vector<char> needed(const Region& region, const std::vector<Ref>& roots,
+                         const std::vector<char>& barrier) {
+  std::vector<char> need(barrier.size(), 0);
+  for (const Ref root : roots) need[root.node()] = 1;
+  for (size_t n = need.size(); n-- > 0;) {
+    if (!need[n] || barrier[n]) continue;
+    for_each_operand(region, region.nodes[n], [&](Ref operand) { need[operand.node()] = 1; });
+  }
+  return need;
+}
+
+}  // namespace arboc
