@@ -174,8 +174,9 @@ class Function {
           "/// Returns 0, or 1 + the index of the first {} that is not positive; then {} is nan.\n",
           s.positive, s.outputs[0].name);
     const OpCount& n = program_.ops;
-    return out + fmt::format("/// {} mul, {} add, {} fma, {} div, {} sqrt, {} sincos.", n.mul,
-                             n.add, n.fma, n.div, n.sqrt, n.sincos);
+    out += fmt::format("/// {} mul, {} add, {} fma, {} div, {} sqrt, {} sincos", n.mul, n.add,
+                       n.fma, n.div, n.sqrt, n.sincos);
+    return out + (n.special > 0 ? fmt::format(", {} special.", n.special) : ".");
   }
 
   const TargetModel& model_;

@@ -45,6 +45,7 @@ ordered_json describe(const TargetFunction& f) {
   const OpCount& n = f.program.ops;
   json["ops"] = {{"mul", n.mul}, {"add", n.add},   {"fma", n.fma},
                  {"div", n.div}, {"sqrt", n.sqrt}, {"sincos", n.sincos}};
+  if (n.special > 0) json["ops"]["special"] = n.special;
   json["functions_of_code"] = f.program.chunks.size();
   json["work"] = f.program.slots;
   return json;

@@ -188,29 +188,45 @@ Ref Builder::div(Ref a, Ref b) {
   return signed_result(intern(node));
 }
 
+Ref Builder::unary(Op op, Ref a, int index) {
+  Node node;
+  node.op = op;
+  node.a = a;
+  node.index = static_cast<std::uint32_t>(index);
+  return intern(node);
+}
+
 Ref Builder::sqrt(Ref a) {
   if (region_.is_constant(a) && region_.value(a) >= 0) return constant(std::sqrt(region_.value(a)));
-  Node node;
-  node.op = Op::kSqrt;
-  node.a = a;
-  return intern(node);
+  return unary(Op::kSqrt, a);
 }
 
 Ref Builder::sin(Ref a) {
   if (region_.is_constant(a) && region_.value(a) == 0) return a.positive();
-  Node node;
-  node.op = Op::kSin;
-  node.a = a.positive();
-  const Ref ref = intern(node);
+  const Ref ref = unary(Op::kSin, a.positive());
   return a.negative() ? -ref : ref;
 }
 
 Ref Builder::cos(Ref a) {
   if (region_.is_constant(a) && region_.value(a) == 0) return constant(1.0);
-  Node node;
-  node.op = Op::kCos;
-  node.a = a.positive();
-  return intern(node);
+  return unary(Op::kCos, a.positive());
+}
+
+Ref Builder::stumpff(int k, Ref x) {
+  if (region_.is_constant(x) && region_.value(x) == 0)
+    return constant(special_value(Op::kStumpff, k, 0));
+  return unary(Op::kStumpff, x, k);
+}
+
+Ref Builder::quaternion_log(Ref w) {
+  const bool one = region_.is_constant(w) && region_.value(w.positive()) == 1;
+  const Ref ref = one ? constant(2.0) : unary(Op::kQuaternionLog, w.positive());
+  return w.negative() ? -ref : ref;
+}
+
+Ref Builder::log_curvature(Ref w) {
+  if (region_.is_constant(w) && region_.value(w.positive()) == 1) return constant(1.0 / 12);
+  return unary(Op::kLogCurvature, w.positive());
 }
 
 Ref Builder::sum(const std::vector<Term>& terms) {

@@ -4,7 +4,7 @@
 // rules look one level deep and never make an expression larger:
 //   constants fold;  x + 0 = x;  x - x = 0;  a x + b x = (a + b) x;  (u + x) - x = u;
 //   a + (b + x) = (a + b) + x;  0 x = 0;  1 x = x;  a (b x) = (a b) x;  x / a = (1/a) x;
-//   sin(-x) = -sin x;  cos(-x) = cos x
+//   sin(-x) = -sin x;  cos(-x) = cos x;  the same of quaternion_log and log_curvature
 // There is no distribution and no factoring: with fused multiply-adds neither gains (measured).
 #pragma once
 #include <string>
@@ -32,6 +32,10 @@ class Builder {
   Ref sqrt(Ref a);
   Ref sin(Ref a);
   Ref cos(Ref a);
+  /// k <= kLargestStumpff.
+  Ref stumpff(int k, Ref x);
+  Ref quaternion_log(Ref w);
+  Ref log_curvature(Ref w);
   /// At least two terms; none of them a constant product.
   Ref sum(const std::vector<Term>& terms);
 
@@ -40,6 +44,7 @@ class Builder {
 
  private:
   Ref intern(const Node& node);
+  Ref unary(Op op, Ref a, int index = 0);
   void grow();
   size_t hash(const Node& node) const;
   bool same(const Node& x, const Node& y) const;

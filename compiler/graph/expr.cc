@@ -67,6 +67,21 @@ void sincos(const Expr& x, Expr& s, Expr& c) {
   c = {&builder, builder.cos(angle)};
 }
 
+Expr stumpff(int k, const Expr& x) {
+  if (x.is_constant()) return special_value(Op::kStumpff, k, x.value());
+  return {x.builder(), x.builder()->stumpff(k, x.ref(*x.builder()))};
+}
+
+Expr quaternion_log(const Expr& w) {
+  if (w.is_constant()) return special_value(Op::kQuaternionLog, 0, w.value());
+  return {w.builder(), w.builder()->quaternion_log(w.ref(*w.builder()))};
+}
+
+Expr log_curvature(const Expr& w) {
+  if (w.is_constant()) return special_value(Op::kLogCurvature, 0, w.value());
+  return {w.builder(), w.builder()->log_curvature(w.ref(*w.builder()))};
+}
+
 void enter_block(const Expr* inputs, const std::string& subject, const char* phase) {
   if (inputs->builder()) inputs->builder()->begin_block(subject + ", " + phase);
 }

@@ -39,6 +39,14 @@ class Expr {
 
 Expr sqrt(const Expr& x);
 void sincos(const Expr& x, Expr& s, Expr& c);
+Expr stumpff(int k, const Expr& x);
+Expr quaternion_log(const Expr& w);
+Expr log_curvature(const Expr& w);
+/// As the runtime spells it, for the algorithms.
+template <int k>
+Expr stumpff(const Expr& x) {
+  return stumpff(k, x);
+}
 
 /// True where x is known to be zero for every input, so that work on it can be left out.
 inline bool is_zero(const Expr& x) { return x.is_constant() && x.value() == 0; }

@@ -4,6 +4,9 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+
+#include "arboc/scalar.hpp"
 
 namespace arboc {
 namespace {
@@ -35,6 +38,7 @@ void verify(const Region& region) {
     if (node.op == Op::kSum && (node.count < 2 || node.index + node.count > region.terms.size()))
       fail(n, "bad terms");
     if (node.op == Op::kInput && node.index >= inputs) fail(n, "unknown input");
+    if (node.op == Op::kStumpff && node.index > kLargestStumpff) fail(n, "unknown function");
     if (node.op == Op::kConstant) {
       if (node.index + node.count > region.constants.size()) fail(n, "bad constant");
       for (std::uint32_t i = 0; i < node.count; ++i)
@@ -57,7 +61,20 @@ void verify(const Region& region) {
   }
 }
 
+template <int... k>
+double stumpff_of(int which, double x, std::integer_sequence<int, k...> /*all*/) {
+  double value = 0;
+  static_cast<void>(((which == k && (value = stumpff<k>(x), true)) || ...));
+  return value;
+}
+
 }  // namespace
+
+double special_value(Op op, int k, double x) {
+  if (op == Op::kQuaternionLog) return quaternion_log(x);
+  if (op == Op::kLogCurvature) return log_curvature(x);
+  return stumpff_of(k, x, std::make_integer_sequence<int, kLargestStumpff + 1>());
+}
 
 int operand_count(Op op) { return kOps[static_cast<size_t>(op)].operands; }
 const char* spelling(Op op) { return kOps[static_cast<size_t>(op)].text; }
@@ -90,6 +107,11 @@ std::vector<std::vector<double>> evaluate(const Graph& graph,
       case Op::kSqrt: v = std::sqrt(at(node.a)); break;
       case Op::kSin: v = std::sin(at(node.a)); break;
       case Op::kCos: v = std::cos(at(node.a)); break;
+      case Op::kStumpff:
+      case Op::kQuaternionLog:
+      case Op::kLogCurvature:
+        v = special_value(node.op, static_cast<int>(node.index), at(node.a));
+        break;
       case Op::kSum:
         v = 0;
         for (std::uint32_t t = node.index; t < node.index + node.count; ++t) {

@@ -23,16 +23,23 @@
 namespace arboc {
 
 /// The operations: name, printed spelling, number of operands (sum: any number of terms).
-#define ARBOC_OPS(X)          \
-  X(kConstant, "constant", 0) \
-  X(kInput, "input", 0)       \
-  X(kAdd, "+", 2)             \
-  X(kMul, "*", 2)             \
-  X(kDiv, "/", 2)             \
-  X(kSqrt, "sqrt", 1)         \
-  X(kSin, "sin", 1)           \
-  X(kCos, "cos", 1)           \
-  X(kSum, "sum", 0)
+/// The last three are those of rotations (runtime/arboc/scalar.hpp): the entire function c_k(x), x
+/// >= 0, whose k is Node::index, and of the real part w of a unit quaternion the factor L(w) of its
+/// logarithm and the curvature b(w).  Derivatives:
+///   dc_k/dx = (k c_(k+2) - c_(k+1)) / 2,   dL/dw = -2 b L^2
+#define ARBOC_OPS(X)                     \
+  X(kConstant, "constant", 0)            \
+  X(kInput, "input", 0)                  \
+  X(kAdd, "+", 2)                        \
+  X(kMul, "*", 2)                        \
+  X(kDiv, "/", 2)                        \
+  X(kSqrt, "sqrt", 1)                    \
+  X(kSin, "sin", 1)                      \
+  X(kCos, "cos", 1)                      \
+  X(kSum, "sum", 0)                      \
+  X(kStumpff, "stumpff", 1)              \
+  X(kQuaternionLog, "quaternion_log", 1) \
+  X(kLogCurvature, "log_curvature", 1)
 
 enum class Op : std::uint8_t {
 #define ARBOC_OP(name, text, operands) name,
@@ -76,7 +83,7 @@ struct Node {
   std::uint16_t block = 0;  ///< index into Region::blocks: where the trace stood when it made this
   Ref a, b;                 ///< operands
   /// constant: offset into Region::constants.  input: offset into the concatenated input ports.
-  /// sum: first of Region::terms.
+  /// sum: first of Region::terms.  stumpff: its k.
   std::uint32_t index = 0;
   std::uint32_t count = 0;  ///< constant: width.  sum: number of terms.
 };
@@ -123,6 +130,11 @@ void for_each_operand(const Region& region, const Node& node, Use&& use) {
     }
   }
 }
+
+/// Largest k of a stumpff node.
+constexpr int kLargestStumpff = 16;
+/// The value of a stumpff, quaternion_log or log_curvature node.
+double special_value(Op op, int k, double x);
 
 /// Throws std::logic_error that names the first broken invariant: operands before users, indices
 /// in range, constants finite and non-negative, sums with at least two terms.

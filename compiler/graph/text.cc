@@ -2,7 +2,8 @@
 //
 //   region NAME        in NAME SIZE        out NAME SIZE: OPERAND ...        # block title
 //   x7 = q0 * -x3      x8 = x7 + 2.5       x9 = sin(q1)      x10 = sum(x1, -x3*x4, 2.5*x6)
-// An operand is an input entry (q0), a node (x7) or a number, with a sign.
+// stumpff3(x7) is c_3 of x7.  An operand is an input entry (q0), a node (x7) or a number, with a
+// sign.
 #include <fmt/format.h>
 
 #include <map>
@@ -62,6 +63,8 @@ class Printer {
       }
       return text + ")";
     }
+    if (node.op == Op::kStumpff)
+      return fmt::format("{}{}({})", spelling(node.op), node.index, operand(node.a));
     if (operand_count(node.op) == 1)
       return fmt::format("{}({})", spelling(node.op), operand(node.a));
     return fmt::format("{} {} {}", operand(node.a), spelling(node.op), operand(node.b));
@@ -172,6 +175,13 @@ class Parser {
     if (name == "sin") return builder.sin(x);
     if (name == "cos") return builder.cos(x);
     if (name == "sqrt") return builder.sqrt(x);
+    if (name == "quaternion_log") return builder.quaternion_log(x);
+    if (name == "log_curvature") return builder.log_curvature(x);
+    const std::string stumpff = spelling(Op::kStumpff);
+    if (name.starts_with(stumpff)) {
+      const auto k = parse_finite(name.substr(stumpff.size()));
+      if (k && *k >= 0 && *k <= kLargestStumpff) return builder.stumpff(static_cast<int>(*k), x);
+    }
     throw std::invalid_argument("unknown operation " + name);
   }
 

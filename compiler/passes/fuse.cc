@@ -115,6 +115,11 @@ class Fuser {
       case Op::kSqrt: out_[n] = builder_.sqrt(renamed(node.a)); break;
       case Op::kSin: out_[n] = builder_.sin(renamed(node.a)); break;
       case Op::kCos: out_[n] = builder_.cos(renamed(node.a)); break;
+      case Op::kStumpff:
+        out_[n] = builder_.stumpff(static_cast<int>(node.index), renamed(node.a));
+        break;
+      case Op::kQuaternionLog: out_[n] = builder_.quaternion_log(renamed(node.a)); break;
+      case Op::kLogCurvature: out_[n] = builder_.log_curvature(renamed(node.a)); break;
       case Op::kInput: break;
       case Op::kSum: throw std::logic_error("fuse: the graph has n-ary sums already");
     }

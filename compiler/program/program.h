@@ -16,7 +16,8 @@ namespace arboc {
 /// Floating-point instructions of one evaluation; a fused multiply-add counts once.
 struct OpCount {
   int mul = 0, add = 0, fma = 0, div = 0, sqrt = 0, sincos = 0;
-  /// All but the sines and cosines.
+  int special = 0;  ///< stumpff, quaternion_log, log_curvature
+  /// All but the sines and cosines and the special functions.
   int total() const { return mul + add + fma + div + sqrt; }
 };
 
@@ -44,6 +45,7 @@ struct Store {
 
 struct Statement {
   Op op = Op::kSum;
+  int index = 0;  ///< stumpff: its k
   int local = 0;  ///< number of the value it defines
   int block = 0;  ///< index into Program::blocks
   std::vector<ProgramTerm>

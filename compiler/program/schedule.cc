@@ -13,6 +13,9 @@ int cost(const Region& region, const Node& node) {
     case Op::kDiv:
     case Op::kSqrt:
     case Op::kAdd: return 1;
+    case Op::kStumpff:
+    case Op::kQuaternionLog:
+    case Op::kLogCurvature: return 20;
     default: return 0;
   }
 }
@@ -153,6 +156,7 @@ class Scheduler {
     const Node& node = in_.nodes[n];
     Statement s;
     s.op = node.op;
+    if (node.op == Op::kStumpff) s.index = static_cast<int>(node.index);
     s.local = static_cast<int>(n);
     s.block = node.block;
     if (node.op == Op::kSum) {
@@ -238,6 +242,9 @@ OpCount count_ops(const Program& program) {
       case Op::kSqrt: ++ops.sqrt; break;
       case Op::kSin:
       case Op::kCos: ++ops.sincos; break;
+      case Op::kStumpff:
+      case Op::kQuaternionLog:
+      case Op::kLogCurvature: ++ops.special; break;
       case Op::kConstant:
       case Op::kInput: break;
     }

@@ -45,6 +45,11 @@ std::string text(const Program& program, const Statement& s) {
     case Op::kDiv:
       return fmt::format("{} {} {}", text(program, first.a), spelling(s.op),
                          text(program, first.b));
+    case Op::kStumpff:
+      return fmt::format("arboc::{}<{}>({})", spelling(s.op), s.index, text(program, first.a));
+    case Op::kQuaternionLog:
+    case Op::kLogCurvature:
+      return fmt::format("arboc::{}({})", spelling(s.op), text(program, first.a));
     default: return fmt::format("{}({})", spelling(s.op), text(program, first.a));
   }
 }

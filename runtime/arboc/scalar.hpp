@@ -2,7 +2,8 @@
 //
 // Copied into every generated folder, so that a folder stands alone; C++17, no dependency.  Any
 // scalar works that has + - * / and, found by argument-dependent lookup, sin, cos and sqrt: double,
-// float, long double, an automatic-differentiation type.
+// float, long double, an automatic-differentiation type.  Code that turns rotations into vectors
+// also asks for < and acos.
 #ifndef ARBOC_SCALAR_HPP
 #define ARBOC_SCALAR_HPP
 
@@ -57,8 +58,8 @@ inline double select(std::uint64_t mask, double if_set, double if_clear) {
 }  // namespace detail
 
 /// For |x| < 1e5: at most 1 ulp, without branches on the quadrant; beyond, and for nan and
-/// infinity, the C library's.  Reduction by pi/2 to y + z with 2 * 53 bits (x - n P1 is exact with a
-/// fused multiply-add), then the minimax polynomials of fdlibm's kernel functions.
+/// infinity, the C library's.  Reduction by pi/2 to y + z with 2 * 53 bits (x - n P1 is exact with
+/// a fused multiply-add), then the minimax polynomials of fdlibm's kernel functions.
 inline void sincos(const double& x, double& sine, double& cosine) noexcept {
   if (!(std::fabs(x) < 1e5)) {
     sine = std::sin(x);
@@ -86,15 +87,14 @@ inline void sincos(const double& x, double& sine, double& cosine) noexcept {
       y2 * (-1.98412698298579493134e-04 +
             y2 * (2.75573137070700676789e-06 +
                   y2 * (-2.50507602534068634195e-08 + y2 * 1.58969099521155010221e-10)));
-  const double sine_y =
-      y - ((y2 * (0.5 * z - y3 * s) - z) - y3 * -1.66666666666666324348e-01);
+  const double sine_y = y - ((y2 * (0.5 * z - y3 * s) - z) - y3 * -1.66666666666666324348e-01);
   const double c =
-      y2 * (4.16666666666666019037e-02 +
-            y2 * (-1.38888888888741095749e-03 +
-                  y2 * (2.48015872894767294178e-05 +
-                        y2 * (-2.75573143513906633035e-07 +
-                              y2 * (2.08757232129817482790e-09 +
-                                    y2 * -1.13596475577881948265e-11)))));
+      y2 *
+      (4.16666666666666019037e-02 +
+       y2 * (-1.38888888888741095749e-03 +
+             y2 * (2.48015872894767294178e-05 +
+                   y2 * (-2.75573143513906633035e-07 +
+                         y2 * (2.08757232129817482790e-09 + y2 * -1.13596475577881948265e-11)))));
   const double half = 0.5 * y2;
   const double w = 1.0 - half;
   const double cosine_y = w + (((1.0 - w) - half) + (y2 * c - y * z));
@@ -112,6 +112,86 @@ inline void sincos(const double& x, double& sine, double& cosine) noexcept {
 }
 
 #endif
+
+namespace detail {
+
+/// 1 / n!
+constexpr double inverse_factorial(int n) {
+  double value = 1;
+  for (int i = 2; i <= n; ++i) value /= i;
+  return value;
+}
+
+/// acos(w) / sqrt(1 - w^2), which is analytic at w = 1 and beyond; w > -1.  With u = 1 - w it is
+/// sum a_n u^n, a_n = n / (2 n + 1) a_(n-1).
+template <class T>
+inline T arc_ratio(const T& w) {
+  using std::acos;
+  using std::sqrt;
+  const T u = T(1) - w;
+  if (!(u < T(0.02))) return acos(w) / sqrt(u * (T(1) + w));
+  T sum(1);
+  for (int n = 9; n > 0; --n) sum = T(1) + T(n / (2.0 * n + 1)) * u * sum;
+  return sum;
+}
+
+}  // namespace detail
+
+/// The entire function c_k(x) = sum_i (-x)^i / (k + 2 i)!, x >= 0:  c_0 = cos sqrt(x), c_1 =
+/// sin sqrt(x) / sqrt(x), c_2 = (1 - cos sqrt(x)) / x, ...  The series up to where its second term
+/// is half the first, above it c_k = (1 / (k - 2)! - c_(k-2)) / x.
+template <int k, class T>
+inline T stumpff(const T& x) {
+  if (x < T(0.5 * (k + 1) * (k + 2))) {
+    constexpr int kTerms = 10 + 3 * k / 2;
+    T sum(1);
+    for (int i = kTerms; i > 0; --i)
+      sum = T(1) - T(1.0 / ((k + 2 * i - 1) * (k + 2 * i))) * x * sum;
+    return T(detail::inverse_factorial(k)) * sum;
+  }
+  if constexpr (k > 2) {
+    return (T(detail::inverse_factorial(k - 2)) - stumpff<k - 2>(x)) / x;
+  } else if constexpr (k == 2) {
+    const T half = stumpff<1>(T(0.25) * x);
+    return T(0.5) * half * half;
+  } else {
+    using std::sqrt;
+    const T root = sqrt(x);
+    T sine, cosine;
+    sincos(root, sine, cosine);
+    if constexpr (k == 0) return cosine;
+    return sine / root;
+  }
+}
+
+/// The rotation vector of a unit quaternion is this function of its real part w times its imaginary
+/// part: 2 sign(w) acos(|w|) / sqrt(1 - w^2), with sign(0) = 1.  Its length is at most pi.
+template <class T>
+inline T quaternion_log(const T& w) {
+  if (w < T(0)) return T(-2) * detail::arc_ratio(T(-w));
+  return T(2) * detail::arc_ratio(w);
+}
+
+/// b of V^-1(phi) = 1 - [phi] / 2 + b [phi]^2 where |w| = cos(|phi| / 2):
+///   b = (1 - h cot h) / (4 h^2),  h = acos(|w|),  1/12 at |w| = 1.
+/// With y = (h / pi)^2 <= 1/4 it is sum_n zeta(2 n + 2) y^n / (2 pi^2), of which zeta's part 1 is a
+/// geometric series; what remains of the coefficients falls like 4^-n.
+template <class T>
+inline T log_curvature(const T& w) {
+  constexpr double kRest[] = {
+      0.64493406684822643647,   0.082323233711138191516,  0.017343061984449139714,
+      0.0040773561979443393787, 9.9457512781808533715e-4, 2.4608655330804829863e-4,
+      6.1248135058704829258e-5, 1.5282259408651871733e-5, 3.8172932649998398565e-6,
+      9.5396203387279611315e-7, 2.3845050272773299001e-7, 5.9608189051259479612e-8,
+      1.4901554828365041235e-8, 3.7253340247884570549e-9, 9.3132743241966818288e-10};
+  constexpr double kInversePi2 = 0.10132118364233777144;  // 1 / pi^2
+  const T c = w < T(0) ? T(-w) : T(w);
+  const T ratio = detail::arc_ratio(c);
+  const T y = (T(kInversePi2) * ratio) * (ratio * ((T(1) - c) * (T(1) + c)));
+  T rest(0);
+  for (int n = 14; n >= 0; --n) rest = rest * y + T(kRest[n]);
+  return T(0.5 * kInversePi2) * (T(1) / (T(1) - y) + rest);
+}
 
 /// Fills n values with not-a-number: the result of a computation that failed.
 template <class T>

@@ -67,6 +67,9 @@ class Interpreter {
           sum = t.product ? std::fma(value(t.a), value(t.b), sum) : sum + value(t.a);
         return sum;
       }
+      case Op::kStumpff:
+      case Op::kQuaternionLog:
+      case Op::kLogCurvature: return special_value(s.op, s.index, value(first.a));
       case Op::kConstant:
       case Op::kInput: break;
     }

@@ -68,8 +68,20 @@ class Generator {
     if (x < 0.90) return {builder_.sin(a.ref), 1};
     if (x < 0.93) return {builder_.cos(a.ref), 1};
     const Ref square = builder_.add(builder_.constant(1), builder_.mul(a.ref, a.ref));
-    if (x < 0.97) return {builder_.div(b.ref, square), b.bound};
+    if (x < 0.95) return {builder_.div(b.ref, square), b.bound};
+    if (x < 0.97) return special(a);
     return {builder_.sqrt(square), a.bound + 1};
+  }
+
+  /// Of arguments in their domain: sin^2, and (1 + sin) / 4.
+  Bounded special(const Bounded& a) {
+    const Ref sine = builder_.sin(a.ref), quarter = builder_.constant(0.25);
+    switch (random_.integer(3)) {
+      case 0: return {builder_.stumpff(random_.integer(7), builder_.mul(sine, sine)), 1};
+      case 1:
+        return {builder_.quaternion_log(builder_.add(quarter, builder_.mul(quarter, sine))), 4};
+      default: return {builder_.log_curvature(builder_.mul(quarter, sine)), 1};
+    }
   }
 
   Random random_;

@@ -48,6 +48,12 @@ Known known(const Region& region, const Node& node, const std::vector<Known>& al
       k.value = node.op == Op::kSin ? std::sin(x) : std::cos(x);
       k.error = a.error + kUnit * std::fabs(k.value);
       break;
+    case Op::kStumpff:
+    case Op::kQuaternionLog:
+    case Op::kLogCurvature:  // of arguments where the slope is below 4
+      k.value = special_value(node.op, static_cast<int>(node.index), x);
+      k.error = 4 * a.error + 8 * kUnit * std::fabs(k.value);
+      break;
     case Op::kSum: break;  // the graph before the pass has none
   }
   k.error += operand_count(node.op) > 0 ? kUnit * std::fabs(k.value) : 0;
