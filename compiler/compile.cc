@@ -7,8 +7,6 @@
 
 #include "base/number.h"
 #include "emit/names.h"
-#include "model/findings.h"
-#include "model/names.h"
 #include "passes/passes.h"
 #include "record.h"
 
@@ -16,28 +14,27 @@ namespace arboc {
 namespace {
 
 /// trace(); a complaint begins with the file that it is about.
-Traced trace_of(const Model& model, const std::string& function, const DynamicTree& tree) {
+Traced trace_of(const Request& request, const Setup& setup, const LoweringOptions& lowering) {
   try {
-    return trace(function, tree);
+    return trace(request, setup, lowering);
   } catch (const InputError& e) {
-    throw InputError(fmt::format("{}: {}", printable(model.file), e.what()));
+    throw InputError(fmt::format("{}: {}", printable(setup.model.file), e.what()));
   }
 }
 
 }  // namespace
 
-CompiledFunction compile_function(const std::string& function, const Model& model) {
+CompiledFunction compile_function(const Request& request, const Setup& setup) {
   CompiledFunction best;
   bool first = true;
-  for (const LoweringOptions& lowering : lowerings(function)) {
-    DynamicTree tree = lower(model, lowering);
-    Traced traced = trace_of(model, function, tree);
+  for (const LoweringOptions& lowering : lowerings(request.function)) {
+    Traced traced = trace_of(request, setup, lowering);
     Graph graph = run_passes(std::move(traced.graph));
     Program program = schedule(graph);
     if (!first && program.ops.total() >= best.program.ops.total()) continue;
     first = false;
-    best = {signature(function, tree),  lowering,          std::move(tree), std::move(graph),
-            std::move(traced.patterns), std::move(program)};
+    best = {request,          signature(request, setup),  lowering,
+            std::move(graph), std::move(traced.patterns), std::move(program)};
   }
   return best;
 }
@@ -53,26 +50,11 @@ void check_size(const Model& model, int max_dof) {
         model.file, nv, max_dof, nv));
 }
 
-std::vector<int> reported_links(const Model& model, const std::vector<std::string>& frames) {
-  std::vector<int> links;
-  if (frames.empty())
-    for (const Joint& joint : model.joints)
-      if (nv(joint.type) > 0) links.push_back(joint.child);
-  for (const std::string& frame : frames) {
-    const int link = link_called(model, frame, "--frames");
-    if (std::find(links.begin(), links.end(), link) != links.end())
-      throw UsageError(fmt::format("--frames: {} is given twice", named("link", frame)));
-    links.push_back(link);
-  }
-  return links;
-}
-
 Compilation compile(const Model& model, const CompileOptions& options, Diagnostics& diagnostics) {
-  Compilation result{configure(model, options.model, diagnostics), {}};
-  reported_links(result.model, options.frames);  // refuses unknown ones
-  check_size(result.model, options.max_dof);
-  for (const std::string& function : options.functions)
-    result.functions.push_back(compile_function(function, result.model));
+  Compilation result{resolve(configure(model, options.model, diagnostics), options.function), {}};
+  check_size(result.setup.model, options.max_dof);
+  for (const Request& request : options.requests)
+    result.functions.push_back(compile_function(request, result.setup));
   return result;
 }
 
@@ -82,6 +64,27 @@ std::string text(const Lock& lock) {
   std::string values;
   for (const double x : lock.q) values += (values.empty() ? "" : ",") + shortest(x);
   return lock.joint + "=" + values;
+}
+
+void add_changed(const FunctionOptions& options, std::vector<std::string>& changed) {
+  const auto add = [&](const char* name, const std::vector<std::string>& words) {
+    if (!words.empty()) changed.push_back(fmt::format("--{} {}", name, fmt::join(words, ",")));
+  };
+  add("frames", options.frames);
+  if (options.axes != Axes::kLocal)
+    changed.emplace_back(options.axes == Axes::kWorld ? "--axes world" : "--axes aligned");
+  add("external-forces", options.external_forces);
+  std::vector<std::string> forces;
+  if (options.joint_forces.damping) forces.emplace_back("damping");
+  if (options.joint_forces.friction) forces.emplace_back("friction");
+  if (options.joint_forces.stiffness) forces.emplace_back("stiffness");
+  if (options.joint_forces.rotor) forces.emplace_back("rotor");
+  add("joint-forces", forces);
+  const double velocity = options.joint_forces.friction_velocity;
+  if (velocity != JointForces().friction_velocity)
+    changed.push_back("--friction-velocity " + shortest(velocity));
+  add("parameters", options.parameters);
+  if (options.iterated) changed.emplace_back("--iterated");
 }
 
 std::vector<std::string> changed_options(const CompileOptions& compile_options) {
@@ -96,8 +99,7 @@ std::vector<std::string> changed_options(const CompileOptions& compile_options) 
   if (!options.root.empty()) changed.push_back("--root " + options.root);
   if (!options.tips.empty())
     changed.push_back(fmt::format("--tip {}", fmt::join(options.tips, ",")));
-  if (!compile_options.frames.empty())
-    changed.push_back(fmt::format("--frames {}", fmt::join(compile_options.frames, ",")));
+  add_changed(compile_options.function, changed);
   return changed;
 }
 
@@ -150,20 +152,23 @@ void describe_joints(const Model& model, TargetModel& target) {
 }  // namespace
 
 TargetModel target(const Compilation& compilation, const CompileOptions& options) {
-  const Model& model = compilation.model;
+  const Setup& setup = compilation.setup;
+  const Model& model = setup.model;
   TargetModel target;
   target.name = identifier(model.name);
   target.source_file = model.file;
   target.source_sha256 = model.source_sha256;
   target.options = changed_options(options);
   describe_joints(model, target);
-  for (const CompiledFunction& f : compilation.functions) {
+  for (const CompiledFunction& f : compilation.functions)
     target.functions.push_back({f.signature, f.patterns, f.program});
-    if (f.signature.name != "fk") continue;
-    for (const FrameOf<double>& frame : f.tree.frame)
-      if (frame.moving) target.frame_names.push_back(frame.name);
-  }
-  record(model, target);
+  for (const int frame : setup.frames)
+    target.frame_names.push_back(model.links[static_cast<size_t>(frame)].name);
+  for (const int load : setup.loads)
+    target.load_names.push_back(model.links[static_cast<size_t>(load)].name);
+  for (const Parameter& p : setup.parameters)
+    target.parameters.push_back({p.name, p.labels, p.nominal});
+  record(setup, compilation.functions, target);
   return target;
 }
 

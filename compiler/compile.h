@@ -4,42 +4,36 @@
 #include <vector>
 
 #include "emit/target.h"
-#include "functions/catalogue.h"
+#include "functions/trace.h"
 #include "model/model.h"
-#include "tree/dynamic_tree.h"
 
 namespace arboc {
 
 struct CompileOptions {
   ModelOptions model;
-  std::vector<std::string> functions;  ///< names of the catalogue, in the order of emission
-  std::vector<std::string> frames;     ///< links that fk reports; empty: each that a joint moves
-  int max_dof = 512;                   ///< refuse larger models
+  FunctionOptions function;
+  std::vector<Request> requests;  ///< in the order of emission
+  int max_dof = 512;              ///< refuse larger models
 };
 
 /// One function on its way: what each stage made of it.
 struct CompiledFunction {
+  Request request;
   Signature signature;
   LoweringOptions lowering;  ///< the one with the fewest operations
-  DynamicTree tree;
-  Graph graph;  ///< after the passes
+  Graph graph;               ///< after the passes
   std::vector<Pattern> patterns;
   Program program;
 };
 
-/// Traces `function` over each of its lowerings and keeps the smallest program.
-CompiledFunction compile_function(const std::string& function, const Model& model);
+/// Traces what is asked for over each of its lowerings and keeps the smallest program.
+CompiledFunction compile_function(const Request& request, const Setup& setup);
 
 /// Refuses what cannot be traced: no degrees of freedom, or more than max_dof.
 void check_size(const Model& model, int max_dof);
 
-/// Indices of the links whose frames are reported: those of `frames` in this order, or if there are
-/// none, each that a joint moves, in the order of the joints.  `model` is configured.  Throws
-/// UsageError for an unknown or repeated name.
-std::vector<int> reported_links(const Model& model, const std::vector<std::string>& frames);
-
 struct Compilation {
-  Model model;  ///< configured
+  Setup setup;
   std::vector<CompiledFunction> functions;
 };
 

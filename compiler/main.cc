@@ -44,10 +44,11 @@ void add_inspect(CLI::App& app, Arguments& args) {
   add_model_options(*sub, args.common);
   sub->add_flag("--json", args.common.json, "as JSON");
   sub->add_option("--ops", args.common.functions,
-                  "trace the functions (default: all) and count their operations")
+                  "trace the functions (default: those of compile) and count their operations")
       ->expected(0, 1)
       ->type_name("[LIST]")
-      ->default_str("all");
+      ->default_str("");
+  add_request_options(*sub, args.common);
   sub->callback([sub, &args] { args.ops = sub->count("--ops") > 0; });
 }
 
@@ -55,11 +56,33 @@ void add_eval(CLI::App& app, Arguments& args) {
   CLI::App* sub = app.add_subcommand("eval", "evaluate a function on states from CSV files");
   EvalOptions& e = args.eval;
   add_model_options(*sub, args.common);
-  sub->add_option("--function", e.function, "function to evaluate")->required()->type_name("F");
-  sub->add_option("--q", e.q, "configurations: one state a line, no header")->type_name("FILE");
-  sub->add_option("--v", e.v, "velocities")->type_name("FILE");
-  sub->add_option("--a", e.a, "accelerations")->type_name("FILE");
-  sub->add_option("--tau", e.tau, "joint forces")->type_name("FILE");
+  add_request_options(*sub, args.common);
+  sub->add_option("--function", e.function, "function to evaluate")->type_name("F");
+  const auto input = [&](const std::string& option, const std::string& name, const char* meaning) {
+    sub->add_option_function<std::string>(
+           option, [&e, name](const std::string& file) { e.files[name] = file; }, meaning)
+        ->type_name("FILE");
+  };
+  input("--q", "q", "configurations: one state a line, no header");
+  input("--v", "v", "velocities");
+  input("--a", "a", "accelerations");
+  input("--tau", "tau", "joint forces");
+  input("--q1", "q1", "other configurations, of difference");
+  input("--lambda", "lambda", "weights of an output's entries");
+  input("--f-ext", "f_ext", "external wrenches");
+  sub->add_option_function<std::vector<std::string>>(
+         "--input",
+         [&e](const std::vector<std::string>& pairs) {
+           for (const std::string& pair : pairs) {
+             const size_t end = pair.find('=');
+             if (end == std::string::npos || end == 0)
+               throw CLI::ValidationError("--input", "expected NAME=FILE, not " + printable(pair));
+             e.files[pair.substr(0, end)] = pair.substr(end + 1);
+           }
+         },
+         "any input by its name, such as masses")
+      ->allow_extra_args(false)
+      ->type_name("NAME=FILE");
   sub->add_option("--output", e.output, "print only this output")->type_name("NAME");
   sub->add_option("--engine", e.engine,
                   "compiled code, the same algorithms in double, or the truth")

@@ -30,7 +30,7 @@ struct AbaWorkspace {
 /// that M is not positive definite, and then qdd means nothing.
 template <class Tree, class T>
 void aba(const Tree& tree, AbaWorkspace<T>& work, const T* q, const T* v, const T* tau, T* qdd,
-         T* pivots, const Loads<T>* loads = nullptr) {
+         T* pivots, const FrameLoads<T>* loads = nullptr) {
   Poses<T>& pose = work.bias.pose;
   pose.update(tree, q);
   newton_euler<false>(tree, pose, work.bias, q, v, static_cast<const T*>(nullptr), qdd, loads);

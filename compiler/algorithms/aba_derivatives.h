@@ -36,7 +36,7 @@ struct AbaDerivativesWorkspace {
 template <class Tree, class T, class Square, class Upper>
 void aba_derivatives(const Tree& tree, AbaDerivativesWorkspace<T>& work, const T* q, const T* v,
                      const T* tau, Square&& dqdd_dq, Square&& dqdd_dv, Upper&& Minv, T* pivots,
-                     const Loads<T>* loads = nullptr) {
+                     const FrameLoads<T>* loads = nullptr) {
   const int n = tree.nv;
   aba(tree, work.aba, q, v, tau, work.qdd.data(), pivots, loads);
   const SquareMatrix<T> dq{work.dq.data(), n}, dv{work.dv.data(), n};

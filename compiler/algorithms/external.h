@@ -3,14 +3,15 @@
 // A wrench acts on the link; inverse dynamics subtracts it, tau = M a + nle - J^T wrench.  Along
 // local axes it turns with the link; along the world's axes it keeps its direction.
 #pragma once
-#include "algorithms/wrench.h"
+#include "algorithms/placement.h"
+#include "algorithms/twist.h"
 #include "spatial/axes.h"
 
 namespace arboc {
 
 /// Force, then moment, per entry of `frames` (indices into tree.frame), as `axes` says.
 template <class T>
-struct Loads {
+struct FrameLoads {
   const std::vector<int>* frames = nullptr;
   Axes axes = Axes::kLocal;
   const T* wrench = nullptr;
@@ -43,7 +44,8 @@ Wrench<T> from_world(const Tree& tree, const Poses<T>& pose, int i, const Wrench
 
 /// Load k about the origin of the body that carries its frame, in the body's axes.
 template <class Tree, class T>
-Wrench<T> load_on_body(const Tree& tree, const Poses<T>& pose, const Loads<T>& loads, size_t k) {
+Wrench<T> load_on_body(const Tree& tree, const Poses<T>& pose, const FrameLoads<T>& loads,
+                       size_t k) {
   const T* w = loads.wrench + 6 * k;
   const Wrench<T> given{{w[0], w[1], w[2]}, {w[3], w[4], w[5]}};
   const auto& frame = tree.frame[(*loads.frames)[k]];
@@ -64,8 +66,8 @@ Wrench<T> load_on_body(const Tree& tree, const Poses<T>& pose, const Loads<T>& l
 
 /// Takes the loads from the wrenches that the bodies need.
 template <class Tree, class T>
-ARBOC_COLD void subtract_loads(const Tree& tree, const Poses<T>& pose, const Loads<T>& loads,
-                    std::vector<Wrench<T>>& wrench) {
+ARBOC_COLD void subtract_loads(const Tree& tree, const Poses<T>& pose, const FrameLoads<T>& loads,
+                               std::vector<Wrench<T>>& wrench) {
   for (size_t k = 0; k < loads.frames->size(); ++k) {
     const Wrench<T> load = load_on_body(tree, pose, loads, k);
     Wrench<T>& on = wrench[tree.frame[(*loads.frames)[k]].body];
@@ -74,37 +76,29 @@ ARBOC_COLD void subtract_loads(const Tree& tree, const Poses<T>& pose, const Loa
   }
 }
 
-/// Velocity of a body per unit rate of a coordinate above it, in world axes: angular, and linear of
-/// the point at the world's origin.
+/// A coordinate between a frame and the world, and what it moves there along world axes.
 template <class T>
-struct WorldColumn {
+struct LoadedColumn {
   int body = 0;
   int coordinate = 0;
   double multiplier = 1;
-  Vector3<T> angular, linear;
+  Twist<T> twist;
 };
 
+/// Those of the path from body i to the world, lowest first; linear parts of the point at `x`.
 template <class Tree, class T>
-WorldColumn<T> world_column(const Tree& tree, const Poses<T>& pose, int i, int d) {
-  const auto& body = tree.body[i];
-  WorldColumn<T> column{i, body.v + d, body.multiplier, {}, {}};
-  const Twist<T> twist = joint_column<T>(body, d);
-  column.angular = twist.angular;
-  column.linear = twist.linear;
-  for (int k = i; k > 0; k = tree.body[k].parent) {
-    column.angular = up(tree.body[k], pose[k], column.angular);
-    column.linear = up(tree.body[k], pose[k], column.linear) + cross(pose[k].p, column.angular);
+std::vector<LoadedColumn<T>> loaded_columns(const Tree& tree, const Placements<T>& placement, int i,
+                                            const Vector3<T>& x) {
+  std::vector<LoadedColumn<T>> columns;
+  for (; i > 0; i = tree.body[i].parent) {
+    const auto& body = tree.body[i];
+    const BodyPlacement<T>& at = placement[i];
+    for (int d = 0; d < freedoms(body.motion); ++d) {
+      const int c = component(body.motion, d);
+      columns.push_back(
+          {i, body.v + d, body.multiplier, unit_twist(c, axis(at.row, c % 3), x - at.x)});
+    }
   }
-  return column;
-}
-
-/// All of the path from body i to the world, lowest first.
-template <class Tree, class T>
-std::vector<WorldColumn<T>> world_columns(const Tree& tree, const Poses<T>& pose, int i) {
-  std::vector<WorldColumn<T>> columns;
-  for (; i > 0; i = tree.body[i].parent)
-    for (int d = 0; d < freedoms(tree.body[i].motion); ++d)
-      columns.push_back(world_column(tree, pose, i, d));
   return columns;
 }
 
@@ -113,34 +107,31 @@ std::vector<WorldColumn<T>> world_columns(const Tree& tree, const Poses<T>& pose
 ///   world    ds_i/dq_j = s_j x s_i,              ds_j/dq_i = 0
 ///   aligned  d(l_i + w_i x x)/dq_j = w_j x (l_i + w_i x x) = d(l_j + w_j x x)/dq_i.
 template <class Tree, class T, class Square>
-ARBOC_COLD void add_load_derivatives(const Tree& tree, const Poses<T>& pose, const Loads<T>& loads,
-                          Square& dtau_dq) {
+ARBOC_COLD void add_load_derivatives(const Tree& tree, Placements<T>& placement, const T* q,
+                                     const FrameLoads<T>& loads, Square& dtau_dq) {
   if (loads.axes == Axes::kLocal) return;
+  placement.update(tree, q);
+  const bool aligned = loads.axes == Axes::kAligned;
+  const Vector3<T> origin{T(0), T(0), T(0)};
   for (size_t k = 0; k < loads.frames->size(); ++k) {
     const auto& frame = tree.frame[(*loads.frames)[k]];
     const T* w = loads.wrench + 6 * k;
     const Vector3<T> f{w[0], w[1], w[2]}, n{w[3], w[4], w[5]};
-    std::vector<WorldColumn<T>> columns = world_columns(tree, pose, frame.body);
-    const bool aligned = loads.axes == Axes::kAligned;
-    Vector3<T> x = cast<T>(frame.p);
-    for (int i = frame.body; aligned && i > 0; i = tree.body[i].parent)
-      x = up(tree.body[i], pose[i], x) + pose[i].p;
-    if (aligned)
-      for (WorldColumn<T>& c : columns) c.linear = c.linear + cross(c.angular, x);
-    const auto add = [&](const WorldColumn<T>& i, const WorldColumn<T>& j, const T& power) {
+    const auto columns = loaded_columns(
+        tree, placement, frame.body, aligned ? frame_origin(frame, placement[frame.body]) : origin);
+    const auto add = [&](const LoadedColumn<T>& i, const LoadedColumn<T>& j, const T& power) {
       T& entry = dtau_dq(i.coordinate, j.coordinate);
       entry = entry - (i.multiplier * j.multiplier) * power;
     };
-    for (const WorldColumn<T>& i : columns) {
-      for (const WorldColumn<T>& j : columns) {
+    for (const LoadedColumn<T>& i : columns) {
+      for (const LoadedColumn<T>& j : columns) {
         if (j.body > i.body) continue;
-        const T turning = dot(cross(j.angular, i.angular), n);
+        const T turning = dot(cross(j.twist.angular, i.twist.angular), n);
         if (!aligned) {
-          const Vector3<T> moved = cross(j.angular, i.linear) + cross(j.linear, i.angular);
-          add(i, j, dot(moved, f) + turning);
+          add(i, j, dot(cross(j.twist, i.twist).linear, f) + turning);
           continue;
         }
-        const T sweeping = dot(cross(j.angular, i.linear), f);
+        const T sweeping = dot(cross(j.twist.angular, i.twist.linear), f);
         add(i, j, sweeping + turning);
         if (j.body < i.body) add(j, i, sweeping);
       }

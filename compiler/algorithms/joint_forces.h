@@ -33,7 +33,7 @@ ARBOC_COLD void add_joint_forces(const Tree& tree, const T* q, const T* v, const
       const T r = rate(body, v, d);
       if (!vanishes(f.damping)) force = force + T(f.damping) * r;
       if (!vanishes(f.friction))
-        force = force + friction_force(T(f.friction), r, tree.friction_rate);
+        force = force + friction_force(T(f.friction), r, tree.friction_velocity);
       if (!vanishes(f.stiffness) && freedoms(body.motion) == 1)
         force = force + T(f.stiffness) * (coordinate(body, q) - T(f.neutral));
       if constexpr (kAccelerated)
@@ -59,7 +59,8 @@ ARBOC_COLD void add_rotors(const Tree& tree, Matrix& M) {
 
 /// Adds the derivatives of the others to those of tau with respect to q and v.
 template <class Tree, class T, class Square>
-ARBOC_COLD void add_joint_force_derivatives(const Tree& tree, const T* v, Square& dtau_dq, Square& dtau_dv) {
+ARBOC_COLD void add_joint_force_derivatives(const Tree& tree, const T* v, Square& dtau_dq,
+                                            Square& dtau_dv) {
   if (!tree.joint_forces) return;
   for (const auto& body : tree.body) {
     const auto& f = body.forces;
@@ -68,7 +69,7 @@ ARBOC_COLD void add_joint_force_derivatives(const Tree& tree, const T* v, Square
       const int k = body.v + d;
       T slope = T(f.damping);
       if (!vanishes(f.friction))
-        slope = slope + friction_slope(T(f.friction), rate(body, v, d), tree.friction_rate);
+        slope = slope + friction_slope(T(f.friction), rate(body, v, d), tree.friction_velocity);
       dtau_dv(k, k) = dtau_dv(k, k) + square * slope;
       if (freedoms(body.motion) == 1) dtau_dq(k, k) = dtau_dq(k, k) + T(square * f.stiffness);
     }

@@ -7,7 +7,7 @@ namespace arboc {
 /// q (nq), v (nv) -> nle (nv).
 template <class Tree, class T>
 void nle(const Tree& tree, RneaWorkspace<T>& work, const T* q, const T* v, T* nle,
-         const Loads<T>* loads = nullptr) {
+         const FrameLoads<T>* loads = nullptr) {
   work.pose.update(tree, q);
   newton_euler<false>(tree, work.pose, work, q, v, static_cast<const T*>(nullptr), nle, loads);
 }

@@ -108,7 +108,7 @@ void sweep_in(const Tree& tree, const Poses<T>& pose, RneaWorkspace<T>& work, co
 /// The recursion behind rnea and nle; the poses are up to date.
 template <bool kAccelerated, class Tree, class T>
 void newton_euler(const Tree& tree, const Poses<T>& pose, RneaWorkspace<T>& work, const T* q,
-                  const T* v, const T* a, T* tau, const Loads<T>* loads = nullptr) {
+                  const T* v, const T* a, T* tau, const FrameLoads<T>* loads = nullptr) {
   sweep_out<kAccelerated>(tree, pose, work, q, v, a);
   if (loads) subtract_loads(tree, pose, *loads, work.wrench);
   sweep_in(tree, pose, work, q, tau);
@@ -119,7 +119,7 @@ void newton_euler(const Tree& tree, const Poses<T>& pose, RneaWorkspace<T>& work
 /// the loads.
 template <class Tree, class T>
 void rnea(const Tree& tree, RneaWorkspace<T>& work, const T* q, const T* v, const T* a, T* tau,
-          const Loads<T>* loads = nullptr) {
+          const FrameLoads<T>* loads = nullptr) {
   work.pose.update(tree, q);
   newton_euler<true>(tree, work.pose, work, q, v, a, tau, loads);
 }

@@ -31,6 +31,7 @@ struct VelocityMoments {
 template <class T>
 struct RneaDerivativesWorkspace {
   RneaWorkspace<T> rnea;
+  Placements<T> placement;  ///< for loads along world axes
   std::vector<Composite<T>> composite;
   std::vector<VelocityMoments<T>> moments;
   std::vector<Vector3<T>> drift;  ///< twice the origin's velocity relative to the parent's, there
@@ -39,6 +40,7 @@ struct RneaDerivativesWorkspace {
   template <class Tree>
   explicit RneaDerivativesWorkspace(const Tree& tree)
       : rnea(tree),
+        placement(tree),
         composite(tree.body.size()),
         moments(tree.body.size()),
         drift(tree.body.size()),
@@ -199,7 +201,7 @@ void add_subtree(const Body& body, int j, RneaDerivativesWorkspace<T>& work) {
 template <class Tree, class T, class Square, class Upper>
 void rnea_derivatives(const Tree& tree, RneaDerivativesWorkspace<T>& work, const T* q, const T* v,
                       const T* a, Square&& dtau_dq, Square&& dtau_dv, Upper&& M,
-                      const Loads<T>* loads = nullptr) {
+                      const FrameLoads<T>* loads = nullptr) {
   work.rnea.pose.update(tree, q);
   derivative_sweep_out(tree, work, q, v, a);
   if (loads && loads->axes == Axes::kLocal)
@@ -234,7 +236,7 @@ void rnea_derivatives(const Tree& tree, RneaDerivativesWorkspace<T>& work, const
   }
   add_joint_force_derivatives(tree, v, dtau_dq, dtau_dv);
   add_rotors(tree, M);
-  if (loads) add_load_derivatives(tree, work.rnea.pose, *loads, dtau_dq);
+  if (loads) add_load_derivatives(tree, work.placement, q, *loads, dtau_dq);
 }
 
 }  // namespace arboc

@@ -29,21 +29,6 @@ inline int component(Motion motion, int d) {
   }
 }
 
-/// Velocity of a body relative to its parent, at its origin and along its axes.
-template <class T>
-struct Twist {
-  Vector3<T> linear, angular;
-};
-
-/// That of a unit rate of coordinate d of its joint.
-template <class T>
-Twist<T> joint_column(const Body& body, int d) {
-  const int c = component(body.motion, d);
-  Twist<T> column{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}};
-  (c < 3 ? column.linear : column.angular)[c % 3] = T(1);
-  return column;
-}
-
 /// Calls use(d, force) for each coordinate d of the joint: what the joint feels of `wrench`.
 template <class T, class Use>
 ARBOC_INLINE void for_each_joint_force(Motion motion, const Wrench<T>& wrench, Use&& use) {

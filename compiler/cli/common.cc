@@ -76,8 +76,11 @@ void add_subchain_options(CLI::App& app, Common& common) {
         ->group("Model");
   };
   add_links("--tip", m.tips, "keep the chains from the root to these links");
-  add_links("--frames", common.compile.frames,
-            "links that fk reports (default: each that a joint moves)");
+}
+
+std::string check_positive(const std::string& text) {
+  const auto value = parse_finite(text);
+  return value && *value > 0 ? "" : "expected a positive number, not " + text;
 }
 
 /// An angle tolerance; CLI::Range lets nan through.
@@ -140,11 +143,87 @@ void add_model_options(CLI::App& app, Common& common) {
 }
 
 void add_function_option(CLI::App& app, Common& common) {
-  std::string names;
-  for (const std::string& name : function_names()) names += (names.empty() ? "" : ",") + name;
-  app.add_option("--functions", common.functions, "comma-separated list of " + names + ", or all")
-      ->capture_default_str()
+  app.add_option("--functions", common.functions,
+                 "comma-separated list, `dynamics` (the default) or `all`; known are " +
+                     fmt::format("{}", fmt::join(function_names(), ",")))
       ->type_name("LIST");
+  add_request_options(app, common);
+}
+
+void add_request_options(CLI::App& app, Common& common) {
+  const auto derivative = [&](const std::string& option, Derivative kind, const char* text) {
+    app.add_option_function<std::vector<std::string>>(
+           option,
+           [&common, option, kind](const std::vector<std::string>& specs) {
+             for (const std::string& spec : specs) {
+               if (kind == Derivative::kHessian && (spec == "iterated" || spec == "symmetric"))
+                 common.compile.function.iterated = spec == "iterated";
+               else
+                 common.compile.requests.push_back(parse_request(option, kind, spec));
+             }
+           },
+           text)
+        ->allow_extra_args(false)
+        ->type_name("F.OUTPUT[:INPUT,...]")
+        ->group("Derivatives");
+  };
+  derivative("--jacobian", Derivative::kJacobian, "of an output, e.g. rnea.tau:q,v (repeatable)");
+  derivative("--gradient", Derivative::kGradient,
+             "of an output of one entry, e.g. energy.V:q, or of the sum of squares, rnea.tau^2");
+  derivative("--vjp", Derivative::kVjp, "lambda^T times the Jacobian, lambda an input");
+  derivative("--hessian", Derivative::kHessian,
+             "second derivative of lambda^T output; `iterated` alone: all Hessians as derivatives "
+             "of derivatives along the body's axes");
+  FunctionOptions& f = common.compile.function;
+  const auto list = [&](const char* name, std::vector<std::string>& words, const char* type,
+                        const char* text) {
+    app.add_option_function<std::string>(
+           name,
+           [name, &words](const std::string& given) {
+             words = split(given);
+             if (words.empty()) throw CLI::ValidationError(name, "the list is empty");
+           },
+           text)
+        ->type_name(type)
+        ->group("Functions");
+  };
+  list("--frames", f.frames, "LINK[,...]",
+       "links that fk and frame functions report (default: each that a joint moves)");
+  app.add_option("--axes", f.axes, "where and along which axes frames have velocities and wrenches")
+      ->transform(choice({"local", "world", "aligned"}))
+      ->default_str("local")
+      ->type_name("local|world|aligned")
+      ->group("Functions");
+  list("--external-forces", f.external_forces, "LINK[,...]",
+       "links on which wrenches act: an input f_ext of rnea, nle, aba and their derivatives");
+  app.add_option_function<std::string>(
+         "--joint-forces",
+         [&f](const std::string& given) {
+           for (const std::string& word : split(given)) {
+             if (word == "damping")
+               f.joint_forces.damping = true;
+             else if (word == "friction")
+               f.joint_forces.friction = true;
+             else if (word == "stiffness")
+               f.joint_forces.stiffness = true;
+             else if (word == "rotor")
+               f.joint_forces.rotor = true;
+             else
+               throw CLI::ValidationError("--joint-forces", "unknown word " + printable(word));
+           }
+         },
+         "what joints add by themselves: damping, friction, stiffness, rotor")
+      ->type_name("LIST")
+      ->group("Functions");
+  app.add_option("--friction-velocity", f.joint_forces.friction_velocity,
+                 "rate (rad/s, m/s) below which friction is smooth")
+      ->check(CLI::Validator(check_positive, ""))
+      ->capture_default_str()
+      ->type_name("V")
+      ->group("Functions");
+  list("--parameters", f.parameters, "LIST",
+       "numbers that stay inputs: gravity, masses, centres, inertias, lengths, or of one link or "
+       "joint, masses:NAME");
 }
 
 void add_compiler_options(CLI::App& app, Common& common) {
@@ -157,20 +236,32 @@ void add_compiler_options(CLI::App& app, Common& common) {
       ->group("Compiler");
 }
 
-std::vector<std::string> function_list(const std::string& text) {
-  if (text == "all") return function_names();
-  std::vector<std::string> names;
-  for (const std::string& name : split(text)) {
-    if (!is_function(name)) unknown_function("--functions", name);
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+std::vector<Request> requests(const Common& common) {
+  static const std::vector<std::string> kDynamics = {
+      "fk", "rnea", "gravity", "nle", "crba", "minv", "aba", "rnea_derivatives", "aba_derivatives"};
+  std::vector<Request> list;
+  const auto add = [&](const Request& request) {
+    for (const Request& known : list)
+      if (name(known) == name(request)) return;
+    list.push_back(request);
+  };
+  const bool by_default = common.functions.empty() && common.compile.requests.empty();
+  const std::string text = by_default ? "dynamics" : common.functions;
+  for (const std::string& word : split(text)) {
+    if (word == "all") {
+      for (const std::string& f : function_names()) add({f});
+    } else if (word == "dynamics") {
+      for (const std::string& f : kDynamics) add({f});
+    } else if (!is_function(word)) {
+      throw UsageError(fmt::format("--functions: unknown function '{}'; known are {}",
+                                   printable(word), fmt::join(function_names(), ", ")));
+    } else {
+      add({word});
+    }
   }
-  if (names.empty()) throw UsageError("--functions: the list is empty");
-  return names;
-}
-
-void unknown_function(const std::string& option, const std::string& name) {
-  throw UsageError(fmt::format("{}: unknown function '{}'; known are {}", option, printable(name),
-                               fmt::join(function_names(), ", ")));
+  if (list.empty() && !common.functions.empty()) throw UsageError("--functions: the list is empty");
+  for (const Request& request : common.compile.requests) add(request);
+  return list;
 }
 
 void print_diagnostics(const Diagnostics& diagnostics, bool notes) {

@@ -1,5 +1,6 @@
 // What the subcommands share: model options, reading, reporting, exit statuses.
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,7 @@ class CleanUp {
 struct Common {
   std::string path;
   CompileOptions compile;
-  std::string functions = "all";
+  std::string functions;  ///< as given; empty: the default
   bool json = false;
   bool verbose = false;
   bool strict = false;  ///< warnings are errors
@@ -55,10 +56,11 @@ void add_model_options(CLI::App& app, Common& common);
 void add_function_option(CLI::App& app, Common& common);
 void add_compiler_options(CLI::App& app, Common& common);
 
-/// `rnea,crba` or `all` -> names; throws UsageError for an unknown one.
-std::vector<std::string> function_list(const std::string& text);
-/// Throws UsageError: `option` was given an unknown function.
-[[noreturn]] void unknown_function(const std::string& option, const std::string& name);
+/// --jacobian, --gradient, --vjp and --hessian, which add to the requests, and what requests share.
+void add_request_options(CLI::App& app, Common& common);
+
+/// What --functions and the derivative options ask for.  Throws UsageError for an unknown function.
+std::vector<Request> requests(const Common& common);
 
 /// Reads the model; prints errors and warnings to stderr.  Throws InputError.
 Model read(const Common& common, Diagnostics& diagnostics);
@@ -81,7 +83,8 @@ void progress_done();
 int run_compile(const Common& common, const std::string& out, const std::string& stage);
 int run_inspect(const Common& common, bool count_ops);
 struct EvalOptions {
-  std::string function, q, v, a, tau, output;
+  std::string function, output;
+  std::map<std::string, std::string> files;  ///< of inputs, by name
   std::string engine = "generated";
 };
 int run_eval(const Common& common, const EvalOptions& options);

@@ -11,10 +11,10 @@ namespace arboc::cli {
 namespace {
 
 void print_stage(const Compilation& compilation, const std::string& stage) {
-  if (stage == "model") fmt::print("{}", print(compilation.model));
+  if (stage == "model") fmt::print("{}", print(compilation.setup.model));
   if (stage == "tree") {
     for (const CompiledFunction& f : compilation.functions)
-      fmt::print("# {}\n{}", f.signature.name, print(f.tree));
+      fmt::print("# {}\n{}", f.signature.name, print(lower(compilation.setup, f.lowering)));
   }
   for (const CompiledFunction& f : compilation.functions) {
     if (stage == "graph") fmt::print("{}", print(f.graph));
@@ -26,7 +26,7 @@ void print_stage(const Compilation& compilation, const std::string& stage) {
 
 int run_compile(const Common& common, const std::string& out, const std::string& stage) {
   CompileOptions options = common.compile;
-  options.functions = function_list(common.functions);
+  options.requests = requests(common);
   if (stage == "model" && out.empty()) {  // also of a model that cannot be compiled
     Diagnostics diagnostics;
     const Model model = configured(common, read(common, diagnostics), diagnostics);
@@ -44,7 +44,7 @@ int run_compile(const Common& common, const std::string& out, const std::string&
     if (stage.empty()) {
       fmt::print("{}/{}\n", out, target.name);
       for (const TargetFunction& f : target.functions)
-        fmt::print("  {:<16} {:6} operations, {:3} sincos\n", f.signature.name,
+        fmt::print("  {:<30} {:6} operations, {:3} sincos\n", f.signature.name,
                    f.program.ops.total(), f.program.ops.sincos);
     }
   }

@@ -10,10 +10,17 @@
 #include "cli/build.h"
 #include "cli/common.h"
 #include "cli/csv.h"
-#include "record.h"
+#include "truth.h"
 
 namespace arboc::cli {
 namespace {
+
+/// The option that gives an input.
+std::string option_of(const std::string& input) {
+  for (const char* own : {"q", "v", "a", "tau", "q1", "lambda"})
+    if (input == own) return input;
+  return input == "f_ext" ? "f-ext" : fmt::format("input {}=FILE", input);
+}
 
 /// Which inputs the traced function depends on.
 std::vector<bool> used_inputs(const CompiledFunction& f) {
@@ -33,30 +40,46 @@ std::vector<bool> used_inputs(const CompiledFunction& f) {
   return used;
 }
 
-/// The states of the given files; an input that is not given and not needed is zero.
-std::vector<Values> read_states(const EvalOptions& options, const CompiledFunction& f) {
-  const std::map<std::string, std::string> files{
-      {"q", options.q}, {"v", options.v}, {"a", options.a}, {"tau", options.tau}};
+/// What an input is that no file gives: a parameter's own value, else zero if it is not needed.
+std::vector<double> missing(const Argument& a, bool used, const Compilation& compilation) {
+  for (const Parameter& p : compilation.setup.parameters)
+    if (p.name == a.name) return p.nominal;
+  if (used)
+    throw UsageError(fmt::format("--{} (an input of {}) is required", option_of(a.name),
+                                 compilation.functions.front().signature.name));
+  return std::vector<double>(static_cast<size_t>(a.rows), 0.0);
+}
+
+/// The states of the given files; a file of one line serves all states.
+std::vector<Values> read_states(const EvalOptions& options, const Compilation& compilation) {
+  const CompiledFunction& f = compilation.functions.front();
   const std::vector<bool> used = used_inputs(f);
-  std::vector<Values> states;
+  std::map<std::string, std::vector<std::vector<double>>> rows;
+  size_t states = 1;
+  std::map<std::string, std::string> unread = options.files;
   for (size_t k = 0; k < f.signature.inputs.size(); ++k) {
     const Argument& a = f.signature.inputs[k];
-    const std::string& file = files.at(a.name);
-    if (file.empty() && used[k])
-      throw UsageError(fmt::format("--{} (an input of {}) is required", a.name, f.signature.name));
-    if (file.empty()) continue;
-    const auto rows = read_csv(file, a.rows);
-    if (states.empty()) states.resize(rows.size());
-    if (rows.size() != states.size())
+    const auto file = options.files.find(a.name);
+    unread.erase(a.name);
+    if (file == options.files.end()) {
+      rows[a.name] = {missing(a, used[k], compilation)};
+      continue;
+    }
+    rows[a.name] = read_csv(file->second, a.rows);
+    const size_t n = rows[a.name].size();
+    if (n == 0) throw InputError(fmt::format("{}: error: no states", printable(file->second)));
+    if (n != 1 && states != 1 && n != states)
       throw InputError(fmt::format("{}: error: {} states, but {} in the files before it",
-                                   printable(file), rows.size(), states.size()));
-    for (size_t s = 0; s < rows.size(); ++s) states[s][a.name] = rows[s];
+                                   printable(file->second), n, states));
+    states = std::max(states, n);
   }
-  if (states.empty()) states.resize(1);
-  for (Values& state : states)
-    for (const Argument& a : f.signature.inputs)
-      state.try_emplace(a.name, static_cast<size_t>(a.rows), 0.0);
-  return states;
+  for (const auto& [name, file] : unread)
+    fmt::print(stderr, "note: {} is no input of {}; {} is not read\n", printable(name),
+               f.signature.name, printable(file));
+  std::vector<Values> result(states);
+  for (size_t s = 0; s < states; ++s)
+    for (const auto& [name, all] : rows) result[s][name] = all.size() == 1 ? all[0] : all[s];
+  return result;
 }
 
 void warn_about_quaternions(const Model& model, const std::vector<Values>& states) {
@@ -77,20 +100,17 @@ void warn_about_quaternions(const Model& model, const std::vector<Values>& state
   }
 }
 
-using Engine = std::function<Values(const Values&)>;
+using Evaluate = std::function<Values(const Values&)>;
 
-Engine make_engine(const std::string& name, const Common& common, const CompileOptions& options,
-                   const Compilation& compilation) {
+Evaluate make_engine(const std::string& name, const Common& common, const CompileOptions& options,
+                     const Compilation& compilation) {
   const CompiledFunction& f = compilation.functions.front();
   const std::string function = f.signature.name;
-  if (name == "reference") {
-    const auto reference = std::make_shared<Reference>(compilation.model);
-    return [&model = compilation.model, reference, function](const Values& in) {
-      return evaluate_reference(function, model, *reference, in);
-    };
-  }
+  const Setup& setup = compilation.setup;
+  if (name == "reference")
+    return [&](const Values& in) { return evaluate_reference(f.request, setup, in); };
   if (name == "generic")
-    return [&f, function](const Values& in) { return evaluate_generic(function, f.tree, in); };
+    return [&](const Values& in) { return evaluate_generic(f.request, setup, f.lowering, in); };
   const auto code = std::make_shared<GeneratedCode>(common, target(compilation, options));
   return [code, function](const Values& in) { return code->call(function, in); };
 }
@@ -99,19 +119,21 @@ Engine make_engine(const std::string& name, const Common& common, const CompileO
 
 int run_eval(const Common& common, const EvalOptions& eval) {
   CompileOptions options = common.compile;
-  if (!is_function(eval.function)) unknown_function("--function", eval.function);
-  options.functions = {eval.function};
+  if (!eval.function.empty())
+    options.requests.insert(options.requests.begin(), Request{eval.function});
+  if (options.requests.size() != 1)
+    throw UsageError("eval evaluates one thing: --function F, or one derivative of an output");
   const Compilation compilation = compiled(common, options);
   const CompiledFunction& f = compilation.functions.front();
   std::vector<std::string> outputs;
   for (const Argument& a : f.signature.outputs) outputs.push_back(a.name);
   if (!eval.output.empty() &&
       std::find(outputs.begin(), outputs.end(), eval.output) == outputs.end())
-    throw UsageError(fmt::format("--output: {} has no output '{}', but {}", eval.function,
+    throw UsageError(fmt::format("--output: {} has no output '{}', but {}", f.signature.name,
                                  printable(eval.output), fmt::join(outputs, ", ")));
-  const std::vector<Values> states = read_states(eval, f);
-  if (states.front().contains("q")) warn_about_quaternions(compilation.model, states);
-  const Engine engine = make_engine(eval.engine, common, options, compilation);
+  const std::vector<Values> states = read_states(eval, compilation);
+  if (states.front().contains("q")) warn_about_quaternions(compilation.setup.model, states);
+  const Evaluate engine = make_engine(eval.engine, common, options, compilation);
   for (const Values& state : states) {
     check_interrupt();
     const Values results = engine(state);

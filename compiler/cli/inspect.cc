@@ -110,8 +110,7 @@ void print_text(const Model& model) {
 }  // namespace
 
 int run_inspect(const Common& common, bool count_ops) {
-  const std::vector<std::string> functions =
-      count_ops ? function_list(common.functions) : std::vector<std::string>{};
+  const std::vector<Request> asked = count_ops ? requests(common) : std::vector<Request>{};
   Diagnostics diagnostics;
   const Model model = configured(common, read(common, diagnostics), diagnostics);
   print_diagnostics(diagnostics, common.verbose || !common.json);
@@ -122,17 +121,19 @@ int run_inspect(const Common& common, bool count_ops) {
     print_text(model);
   if (count_ops) {
     check_size(model, common.compile.max_dof);
+    const Setup setup = resolve(model, common.compile.function);
     if (!common.json)
-      fmt::print("{:<16} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", "function", "total", "mul",
+      fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", "function", "total", "mul",
                  "add", "fma", "div", "sqrt", "sincos");
-    for (const std::string& function : functions) {
-      const OpCount n = compile_function(function, model).program.ops;
+    for (const Request& request : asked) {
+      const OpCount n = compile_function(request, setup).program.ops;
+      const std::string function = arboc::name(request);
       check_interrupt();
       if (common.json)
         json["ops"][function] = {{"mul", n.mul}, {"add", n.add},   {"fma", n.fma},
                                  {"div", n.div}, {"sqrt", n.sqrt}, {"sincos", n.sincos}};
       else
-        fmt::print("{:<16} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", function, n.total(), n.mul,
+        fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", function, n.total(), n.mul,
                    n.add, n.fma, n.div, n.sqrt, n.sincos);
     }
   }

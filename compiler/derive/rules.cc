@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/diagnostic.h"
+
 namespace arboc {
 namespace {
 
@@ -32,6 +34,18 @@ Partials partials(Builder& builder, std::uint32_t n) {
     case Op::kSqrt: return {{partial(a, builder.div(builder.constant(0.5), self))}, 1};
     case Op::kSin: return {{partial(a, builder.cos(a))}, 1};
     case Op::kCos: return {{partial(a, -builder.sin(a))}, 1};
+    case Op::kStumpff: {  // d c_k / dx = (k c_k+2 - c_k+1) / 2
+      const auto k = static_cast<int>(node.index);
+      const Ref next = builder.mul(builder.constant(-0.5), builder.stumpff(k + 1, a));
+      if (k == 0) return {{partial(a, next)}, 1};
+      const Ref second = builder.mul(builder.constant(0.5 * k), builder.stumpff(k + 2, a));
+      return {{partial(a, builder.add(second, next))}, 1};
+    }
+    case Op::kQuaternionLog: {  // dL/dw = -2 b L^2
+      const Ref curved = builder.mul(builder.log_curvature(a), builder.mul(self, self));
+      return {{partial(a, builder.mul(builder.constant(-2), curved))}, 1};
+    }
+    case Op::kLogCurvature: throw UsageError("second derivatives of difference are not available");
     case Op::kSum: break;
   }
   throw std::logic_error("derive: the graph has been fused already");

@@ -146,8 +146,9 @@ class Function {
     if (checked) {
       out += fmt::format("  for (int i = 0; i < {}; ++i) {{\n    if ({}[i] > T(0)) continue;\n",
                          outputs.back().size, outputs.back().name);
-      out += fmt::format("    arboc::fill_nan({}, {});\n    return 1 + i;\n  }}\n  return 0;\n",
-                         outputs[0].name, outputs[0].size);
+      for (size_t k = 0; k + 1 < outputs.size(); ++k)
+        out += fmt::format("    arboc::fill_nan({}, {});\n", outputs[k].name, outputs[k].size);
+      out += "    return 1 + i;\n  }\n  return 0;\n";
     }
     return out;
   }
@@ -171,8 +172,9 @@ class Function {
     }
     if (!s.positive.empty())
       out += fmt::format(
-          "/// Returns 0, or 1 + the index of the first {} that is not positive; then {} is nan.\n",
-          s.positive, s.outputs[0].name);
+          "/// Returns 0, or 1 + the index of the first {} that is not positive; then all is "
+          "nan.\n",
+          s.positive);
     const OpCount& n = program_.ops;
     out += fmt::format("/// {} mul, {} add, {} fma, {} div, {} sqrt, {} sincos", n.mul, n.add,
                        n.fma, n.div, n.sqrt, n.sincos);
@@ -191,9 +193,9 @@ std::string parameters(const TargetFunction& function, const std::string& scalar
                        const std::string& qualifier) {
   std::string out;
   for (const Argument& a : function.signature.inputs)
-    out += fmt::format("{}const {}*{} {}", out.empty() ? "" : ", ", scalar, qualifier, a.name);
+    out += fmt::format("{}const {}*{} {}", out.empty() ? "" : ", ", scalar, qualifier, a.code());
   for (const Argument& a : function.signature.outputs)
-    out += fmt::format("{}{}*{} {}", out.empty() ? "" : ", ", scalar, qualifier, a.name);
+    out += fmt::format("{}{}*{} {}", out.empty() ? "" : ", ", scalar, qualifier, a.code());
   return out;
 }
 

@@ -22,6 +22,9 @@ struct Argument {
   /// Agreement with the reference engine, relative to the largest entry: rounding of some hundred
   /// operations, or what the engine's own differences are good for.
   double tolerance = 1e-12;
+
+  /// Its name in generated code, where T is the scalar.
+  std::string code() const { return name == "T" ? "T_" : name; }
 };
 
 /// Structural non-zeros of a matrix output in the order in which they are written: by columns.
@@ -66,6 +69,13 @@ struct Table {
   std::vector<double> values;
 };
 
+/// An input that stands for numbers of the model.
+struct ParameterTable {
+  std::string name;
+  std::vector<std::string> labels;  ///< one an entry
+  std::vector<double> nominal;      ///< as the model has them
+};
+
 struct TargetModel {
   std::string name;         ///< identifier: namespace, file prefix
   std::string source_file;  ///< base name
@@ -74,7 +84,9 @@ struct TargetModel {
   int nq = 0, nv = 0;
   std::vector<std::string> joint_names;     ///< moving joints in the order of their coordinates
   std::vector<std::string> velocity_names;  ///< one an entry of v
-  std::vector<std::string> frame_names;     ///< of fk
+  std::vector<std::string> frame_names;     ///< rows of fk and of frame functions
+  std::vector<std::string> load_names;      ///< rows of f_ext
+  std::vector<ParameterTable> parameters;   ///< numbers of the model that are inputs
   std::vector<Table> limits;                ///< q_lower, q_upper (nq), v_limit, tau_limit (nv)
   std::vector<TargetFunction> functions;
   std::vector<Recording> recordings;  ///< for the selftest

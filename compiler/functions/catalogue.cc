@@ -1,128 +1,180 @@
 #include "functions/catalogue.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 
 #include "base/diagnostic.h"
-#include "functions/run.h"
-#include "graph/expr.h"
+#include "functions/arguments.h"
 
 namespace arboc {
 namespace {
 
-/// Inputs are letters: q v a, t for tau.
+/// Whose inertial parameters an algorithm needs.
+enum class Masses {
+  kAny,  ///< regrouped ones give the same result
+  kOwn,  ///< those of the bodies themselves
+};
+
 struct Entry {
   const char* name;
-  const char* inputs;
-  std::array<const char*, 3> outputs;  ///< null where there are fewer
+  std::vector<const char*> inputs;
+  std::vector<const char*> outputs;
+  Masses masses;
+  const char* positive;    ///< values that must be positive, or null
+  const char* definition;  ///< of a derivative: what and with respect to what, or null
   const char* meaning;
 };
 
-constexpr std::array<Entry, 8> kFunctions = {{
-    {"fk",
-     "q",
-     {"placements"},
-     "Forward kinematics: where each moving link's frame is in the world."},
-    {"rnea",
-     "qva",
-     {"tau"},
+// clang-format off
+const std::vector<Entry>& table() {
+  static const std::vector<Entry> entries = {
+    {"fk", {"q"}, {"placements"}, Masses::kAny, nullptr, nullptr,
+     "Forward kinematics: where the reported links' frames are in the world."},
+    {"rnea", {"q", "v", "a", "f_ext"}, {"tau"}, Masses::kAny, nullptr, nullptr,
      "Inverse dynamics: tau = M(q) a + C(q, v) v + g(q). [RBDA] Table 5.1."},
-    {"gravity", "q", {"g"}, "Gravity forces: the joint forces that hold the body at rest."},
-    {"nle", "qv", {"nle"}, "Nonlinear effects: C(q, v) v + g(q)."},
-    {"crba", "q", {"M"}, "Joint-space inertia matrix. [RBDA] Table 6.2."},
-    {"minv", "q", {"Minv"}, "Inverse of the joint-space inertia matrix."},
-    {"aba", "qvt", {"qdd"}, "Forward dynamics: M(q) qdd = tau - C(q, v) v - g(q)."},
-    {"rnea_derivatives",
-     "qva",
-     {"dtau_dq", "dtau_dv", "M"},
+    {"gravity", {"q"}, {"g"}, Masses::kAny, nullptr, nullptr,
+     "Gravity forces: the joint forces that hold the body at rest."},
+    {"nle", {"q", "v", "f_ext"}, {"nle"}, Masses::kAny, nullptr, nullptr,
+     "Nonlinear effects: C(q, v) v + g(q)."},
+    {"crba", {"q"}, {"M"}, Masses::kAny, nullptr, nullptr,
+     "Joint-space inertia matrix. [RBDA] Table 6.2."},
+    {"minv", {"q"}, {"Minv"}, Masses::kAny, "pivot", nullptr,
+     "Inverse of the joint-space inertia matrix."},
+    {"aba", {"q", "v", "tau", "f_ext"}, {"qdd"}, Masses::kAny, "pivot", nullptr,
+     "Forward dynamics: M(q) qdd = tau - C(q, v) v - g(q)."},
+    {"rnea_derivatives", {"q", "v", "a", "f_ext"}, {"dtau_dq", "dtau_dv", "M"}, Masses::kAny, nullptr, nullptr,
      "First derivatives of inverse dynamics with respect to q, v and a."},
-}};
-
-const Entry& find(const std::string& name) {
-  return *std::find_if(kFunctions.begin(), kFunctions.end(),
-                       [&](const Entry& e) { return name == e.name; });
-}
-
-Argument input_argument(char letter, const DynamicTree& tree) {
-  switch (letter) {
-    case 'q': return {"q", tree.nq, 1, "rad, m", "configuration; quaternions x y z w of length 1"};
-    case 'v':
-      return {"v", tree.nv, 1, "rad/s, m/s",
-              "velocity; floating joints linear, angular in the body frame"};
-    case 'a': return {"a", tree.nv, 1, "rad/s^2, m/s^2", "time derivative of v"};
-    default:
-      return {"tau", tree.nv, 1, "N m, N",
-              "joint forces; floating joints force, moment in the body frame"};
-  }
-}
-
-Argument symmetric_matrix(const std::string& name, const DynamicTree& tree, const char* unit,
-                          const char* meaning) {
-  return {name, tree.nv, tree.nv, unit, meaning, true, true};
-}
-
-/// The reference engine has no derivatives but differences.  Relative to the forces they are good
-/// for some 1e-12, and 1e-15 in v; derivatives may be smaller than forces.
-Argument derivative(const std::string& name, const DynamicTree& tree, const char* unit,
-                    const char* meaning, double tolerance) {
-  return {name, tree.nv, tree.nv, unit, meaning, true, false, tolerance};
-}
-
-Argument output_argument(const std::string& name, const DynamicTree& tree) {
-  if (name == "placements")
-    return {
-        name, static_cast<int>(moving_frames(tree).size()), 12, "1, m",
-        "one row a frame: rotation matrix (world from link, by rows), then origin in the world"};
-  if (name == "M")
-    return symmetric_matrix(name, tree, "kg m^2, kg m, kg", "kinetic energy is v M v / 2");
-  if (name == "Minv")
-    return symmetric_matrix(name, tree, "1/(kg m^2), 1/(kg m), 1/kg", "inverse of M");
-  if (name == "dtau_dq")
-    return derivative(name, tree, "N m, N, N/m",
-                      "derivative of tau with respect to q; floating and planar joints move along "
-                      "their body's axes",
-                      1e-9);
-  if (name == "dtau_dv")
-    return derivative(name, tree, "N m s, N s, N s/m", "derivative of tau with respect to v",
-                      1e-10);
-  if (name == "qdd") return {name, tree.nv, 1, "rad/s^2, m/s^2", "time derivative of v"};
-  return {name, tree.nv, 1, "N m, N",
-          "joint forces; floating joints force, moment in the body frame"};
-}
-
-/// The structural non-zeros of an output, by columns, and their values.
-std::vector<Expr> non_zeros(const Argument& a, const std::vector<Expr>& matrix, Pattern& pattern) {
-  std::vector<Expr> entries;
-  for (int col = 0; col < a.cols; ++col) {
-    for (int row = 0; row < (a.symmetric ? col + 1 : a.rows); ++row) {
-      const Expr& entry =
-          matrix[static_cast<size_t>(row) * static_cast<size_t>(a.cols) + static_cast<size_t>(col)];
-      if (is_zero(entry)) continue;
-      pattern.row.push_back(row);
-      pattern.col.push_back(col);
-      entries.push_back(entry);
-    }
-  }
+    {"aba_derivatives", {"q", "v", "tau", "f_ext"}, {"dqdd_dq", "dqdd_dv", "Minv"}, Masses::kAny, "pivot", nullptr,
+     "First derivatives of forward dynamics with respect to q, v and tau."},
+    {"rnea_hessian", {"q", "v", "a", "f_ext", "lambda"}, {"H_qq", "H_qv", "H_vv", "H_qa"}, Masses::kAny, nullptr, "rnea.tau:q,v,a",
+     "Second derivatives of lambda^T tau with respect to q, v and a."},
+    {"frame_velocity", {"q", "v"}, {"velocity"}, Masses::kAny, nullptr, nullptr,
+     "Velocities of the reported frames."},
+    {"frame_acceleration", {"q", "v", "a"}, {"acceleration"}, Masses::kAny, nullptr, nullptr,
+     "Accelerations of the reported frames: time derivatives of their velocities, J a + dJ v."},
+    {"frame_jacobian", {"q"}, {"J"}, Masses::kAny, nullptr, nullptr,
+     "Jacobians of the reported frames: velocity = J v."},
+    {"frame_jacobian_dot", {"q", "v"}, {"dJ"}, Masses::kAny, nullptr, nullptr,
+     "Time derivatives of the Jacobians of the reported frames."},
+    {"frame_velocity_derivatives", {"q", "v"}, {"dvelocity_dq", "dvelocity_dv"}, Masses::kAny, nullptr, "frame_velocity.velocity:q,v",
+     "First derivatives of the velocities of the reported frames."},
+    {"frame_acceleration_derivatives", {"q", "v", "a"}, {"dacceleration_dq", "dacceleration_dv", "dacceleration_da"}, Masses::kAny, nullptr, "frame_acceleration.acceleration:q,v,a",
+     "First derivatives of the accelerations of the reported frames."},
+    {"joint_jacobians", {"q"}, {"J_world"}, Masses::kAny, nullptr, nullptr,
+     "Motion subspaces of all coordinates at the world's origin, along its axes."},
+    {"com", {"q", "v"}, {"c", "vc"}, Masses::kOwn, nullptr, nullptr,
+     "Centre of mass of the moving links, and its velocity."},
+    {"com_jacobian", {"q"}, {"Jc"}, Masses::kOwn, nullptr, nullptr,
+     "Jacobian of the centre of mass: vc = Jc v."},
+    {"centroidal", {"q", "v", "a"}, {"h", "A_G", "dh"}, Masses::kOwn, nullptr, nullptr,
+     "Momentum about the centre of mass, its matrix, h = A_G v, and its rate."},
+    {"energy", {"q", "v"}, {"T", "V"}, Masses::kOwn, nullptr, nullptr,
+     "Kinetic energy, and potential energy in the field of gravity."},
+    {"regressor", {"q", "v", "a"}, {"Y"}, Masses::kOwn, nullptr, nullptr,
+     "Regressor of inverse dynamics: tau = Y pi, pi ten inertial parameters a moving link."},
+    {"integrate", {"q", "v"}, {"q_next"}, Masses::kAny, nullptr, nullptr,
+     "Moves a configuration: q (+) v."},
+    {"difference", {"q", "q1"}, {"d"}, Masses::kAny, nullptr, nullptr,
+     "What moves q to q1: q (+) d = q1."},
+    {"integrate_derivatives", {"q", "v"}, {"dq_next_dq", "dq_next_dv"}, Masses::kAny, nullptr, nullptr,
+     "First derivatives of q (+) v in the tangent spaces."},
+    {"difference_derivatives", {"q", "q1"}, {"dd_dq", "dd_dq1"}, Masses::kAny, nullptr, nullptr,
+     "First derivatives of difference in the tangent spaces."},
+  };
   return entries;
 }
+// clang-format on
 
-/// Names the joint whose coordinate can never be accelerated by a finite force.
-void refuse_singular(const DynamicTree& tree, const std::vector<Expr>& pivots,
-                     const std::string& function) {
-  for (size_t k = pivots.size(); k-- > 0;) {
-    if (!pivots[k].is_constant() || pivots[k].value() > 0) continue;
-    const auto body =
-        std::find_if(tree.body.begin(), tree.body.end(), [&](const BodyOf<double>& b) {
-          const int first = b.v, last = b.v + freedoms(b.motion);
-          return first <= static_cast<int>(k) && static_cast<int>(k) < last;
-        });
-    throw InputError(
-        fmt::format("error: joint '{}': what it moves has no inertia about its axis, so {} has no "
-                    "solution (give its "
-                    "links mass, fix the joint, or leave {} out)",
-                    printable(body->joint), function, function));
+const Entry& find(const std::string& name) {
+  const auto& all = table();
+  const auto entry =
+      std::find_if(all.begin(), all.end(), [&](const Entry& e) { return name == e.name; });
+  if (entry == all.end())
+    throw UsageError(fmt::format("unknown function '{}'; known are {}", printable(name),
+                                 fmt::join(function_names(), ", ")));
+  return *entry;
+}
+
+/// The catalogue's own functions; f_ext and parameters are inputs where there are any.
+Signature plain_signature(const Entry& entry, const Setup& setup) {
+  Signature s;
+  s.name = entry.name;
+  s.meaning = entry.meaning;
+  for (const char* input : entry.inputs)
+    if (std::string(input) != "f_ext" || !setup.loads.empty())
+      s.inputs.push_back(input_argument(input, setup));
+  for (const Parameter& parameter : setup.parameters)
+    s.inputs.push_back(parameter_argument(parameter));
+  for (const char* output : entry.outputs)
+    s.outputs.push_back(output_argument(entry.name, output, setup));
+  if (entry.positive) s.positive = entry.positive;
+  return s;
+}
+
+const Argument& named(const std::vector<Argument>& arguments, const std::string& name,
+                      const Request& request, const char* what) {
+  for (const Argument& a : arguments)
+    if (a.name == name) return a;
+  std::vector<std::string> names;
+  for (const Argument& a : arguments) names.push_back(a.name);
+  throw UsageError(fmt::format("{}: {} has no {} '{}', but {}", text(request), request.function,
+                               what, printable(name), fmt::join(names, ", ")));
+}
+
+Argument matrix(const std::string& name, int rows, int cols, const std::string& meaning,
+                double tolerance) {
+  Argument a{name, rows, cols, "SI", meaning};
+  a.sparse = true;
+  a.tolerance = tolerance;
+  return a;
+}
+
+void add_derivatives(const Request& request, const Setup& setup, const Argument& of, Signature& s) {
+  const std::vector<Argument> inputs = s.inputs;
+  const std::vector<std::string> with = derived_inputs(request, s);
+  const int entries = of.rows * of.cols;
+  const bool scalar = request.squares || entries == 1;
+  const std::string value = request.squares ? of.name + "^2" : of.name;
+  const auto size = [&](const std::string& name) {
+    return tangent_size(named(inputs, name, request, "input"), setup);
+  };
+  if (request.derivative == Derivative::kVjp ||
+      (request.derivative == Derivative::kHessian && !scalar))
+    s.inputs.push_back({"lambda", entries, 1, "1", "weights of the entries of " + of.name});
+  if (request.derivative == Derivative::kGradient && !scalar)
+    throw UsageError(
+        fmt::format("{}: {} has {} entries: ask for its --vjp, or for {}^2, the sum of its squares",
+                    text(request), of.name, entries, of.name));
+  for (size_t i = 0; i < with.size(); ++i) {
+    const int n = size(with[i]);
+    switch (request.derivative) {
+      case Derivative::kJacobian:
+        s.outputs.push_back(
+            matrix(fmt::format("d{}_d{}", of.name, with[i]), entries, n,
+                   fmt::format("derivative of {} with respect to {}", of.name, with[i]), 1e-11));
+        break;
+      case Derivative::kGradient:
+        s.outputs.push_back({"grad_" + with[i], n, 1, "SI",
+                             fmt::format("derivative of {} with respect to {}", value, with[i])});
+        break;
+      case Derivative::kVjp:
+        s.outputs.push_back(
+            {"vjp_" + with[i], n, 1, "SI",
+             fmt::format("derivative of lambda^T {} with respect to {}", of.name, with[i])});
+        break;
+      default:
+        for (size_t j = i; j < with.size(); ++j) {
+          Argument H = matrix(fmt::format("H_{}{}", with[i], with[j]), n, size(with[j]),
+                              fmt::format("second derivative of {} with respect to {} and {}",
+                                          scalar ? value : "lambda^T " + of.name, with[i], with[j]),
+                              1e-9);
+          H.symmetric = i == j && !setup.iterated;
+          s.outputs.push_back(H);
+        }
+    }
   }
 }
 
@@ -130,77 +182,62 @@ void refuse_singular(const DynamicTree& tree, const std::vector<Expr>& pivots,
 
 std::vector<std::string> function_names() {
   std::vector<std::string> names;
-  for (const Entry& entry : kFunctions) names.emplace_back(entry.name);
+  for (const Entry& entry : table()) names.emplace_back(entry.name);
   return names;
 }
 
 bool is_function(const std::string& name) {
-  return std::any_of(kFunctions.begin(), kFunctions.end(),
+  return std::any_of(table().begin(), table().end(),
                      [&](const Entry& e) { return name == e.name; });
 }
 
-Signature signature(const std::string& function, const DynamicTree& tree) {
-  const Entry& entry = find(function);
-  Signature s;
-  s.name = entry.name;
-  s.meaning = entry.meaning;
-  for (const char* letter = entry.inputs; *letter; ++letter)
-    s.inputs.push_back(input_argument(*letter, tree));
-  for (const char* output : entry.outputs)
-    if (output) s.outputs.push_back(output_argument(output, tree));
-  if (function == "aba" || function == "minv") s.positive = "pivot";
+Request defined_as(const Request& request) {
+  if (request.derivative != Derivative::kNone) return request;
+  const Entry& entry = find(request.function);
+  if (!entry.definition) return request;
+  const Derivative kind =
+      request.function == "rnea_hessian" ? Derivative::kHessian : Derivative::kJacobian;
+  return parse_request(entry.name, kind, entry.definition);
+}
+
+std::vector<std::string> derived_inputs(const Request& request, const Signature& s) {
+  if (!request.with.empty()) return request.with;
+  std::vector<std::string> names;
+  for (const Argument& a : s.inputs)
+    if (a.name != "lambda") names.push_back(a.name);
+  return names;
+}
+
+Signature signature(const Request& request, const Setup& setup) {
+  if (request.derivative != Derivative::kNone && find(request.function).definition)
+    throw UsageError(fmt::format("{}: {} is a derivative itself; ask for one of {}", text(request),
+                                 request.function, find(request.function).definition));
+  const Request definition = defined_as(request);
+  Signature s = plain_signature(find(definition.function), setup);
+  if (definition.derivative == Derivative::kNone) return s;
+  const Argument of = named(s.outputs, definition.output, request, "output");
+  s.outputs.clear();
+  for (const std::string& input : definition.with) named(s.inputs, input, request, "input");
+  add_derivatives(definition, setup, of, s);
+  s.name = name(request);
+  if (request.derivative == Derivative::kNone) {
+    const Entry& entry = find(request.function);
+    s.meaning = entry.meaning;
+    std::vector<Argument> outputs;
+    for (const char* output : entry.outputs)
+      outputs.push_back(named(s.outputs, output, request, "output"));
+    s.outputs = outputs;
+  } else {
+    s.meaning = fmt::format("Derivative of {}: {}", request.function, text(request));
+  }
   return s;
 }
 
 std::vector<LoweringOptions> lowerings(const std::string& function) {
-  const bool regroup = function != "fk";
+  const bool regroup = find(function).masses == Masses::kAny;
   return {{FrameChoice::kAxis, regroup}, {FrameChoice::kDenavit, regroup}};
 }
 
-Traced trace(const std::string& function, const DynamicTree& tree) {
-  const Signature s = signature(function, tree);
-  Builder builder(function);
-  std::vector<std::vector<Expr>> inputs;
-  for (const Argument& a : s.inputs) {
-    inputs.emplace_back();
-    for (const Ref ref : builder.input(a.name, a.rows)) inputs.back().emplace_back(&builder, ref);
-  }
-  const Results<Expr> results = run(s, tree, inputs);
-  if (!results.pivots.empty()) refuse_singular(tree, results.pivots, function);
-
-  Traced traced;
-  const auto output = [&](const std::string& name, const std::vector<Expr>& values) {
-    std::vector<Ref> refs;
-    for (const Expr& value : values) refs.push_back(value.ref(builder));
-    builder.output(name, refs);
-  };
-  for (size_t k = 0; k < s.outputs.size(); ++k) {
-    const Argument& a = s.outputs[k];
-    const std::vector<Expr>& all = results.outputs[k];
-    Pattern& pattern = traced.patterns.emplace_back();
-    output(a.name, a.sparse ? non_zeros(a, all, pattern) : all);
-  }
-  if (!s.positive.empty()) output(s.positive, results.pivots);
-  traced.graph = std::move(builder).finish();
-  return traced;
-}
-
-Values evaluate_generic(const std::string& function, const DynamicTree& tree,
-                        const Values& inputs) {
-  const Signature s = signature(function, tree);
-  std::vector<std::vector<double>> in;
-  for (const Argument& a : s.inputs) in.push_back(inputs.at(a.name));
-  Results<double> results = run(s, tree, in);
-  Values values;
-  for (size_t k = 0; k < s.outputs.size(); ++k) {
-    const Argument& a = s.outputs[k];
-    std::vector<double>& result = results.outputs[k];
-    const auto n = static_cast<size_t>(a.rows);
-    for (size_t i = 0; a.symmetric && i < n; ++i)
-      for (size_t j = 0; j < i; ++j) result[i * n + j] = result[j * n + i];
-    values[a.name] = std::move(result);
-  }
-  return values;
-}
+EngineFrames engine_frames(const Setup& setup) { return {setup.frames, setup.loads, setup.axes}; }
 
 }  // namespace arboc

@@ -1,15 +1,15 @@
 // The functions that arboc generates: their names, signatures, and the algorithm behind each.
 //
-// To add one: write the algorithm (algorithms/), add a row to the table in catalogue.cc, a line to
-// docs/functions.md, and its truth to check (cli/).
+// To add one: write the algorithm (algorithms/), a method of Engine (engine.h), a row of the table
+// in catalogue.cc, a line of docs/functions.md, and its truth (record.cc).
 #pragma once
-#include <map>
 #include <string>
 #include <vector>
 
 #include "emit/target.h"
-#include "tree/dynamic_tree.h"
-#include "tree/lower.h"
+#include "functions/engine.h"
+#include "functions/request.h"
+#include "functions/setup.h"
 
 namespace arboc {
 
@@ -17,27 +17,19 @@ namespace arboc {
 std::vector<std::string> function_names();
 bool is_function(const std::string& name);
 
-/// Arguments with shapes and units for this body.
-Signature signature(const std::string& function, const DynamicTree& tree);
+/// Arguments with shapes and units.  Throws UsageError if the function has no such output or input.
+Signature signature(const Request& request, const Setup& setup);
 
 /// Lowerings that leave the function's results alone; the one that traces to the fewest operations
 /// is taken.
 std::vector<LoweringOptions> lowerings(const std::string& function);
 
-struct Traced {
-  Graph graph;                    ///< one output port an output (of matrices the non-zeros), then
-                                  ///< the values that must be positive
-  std::vector<Pattern> patterns;  ///< per output; of dense ones empty
-};
+/// rnea_hessian, frame_velocity_derivatives ... as derivatives; other requests as they are.
+Request defined_as(const Request& request);
 
-/// Runs the algorithm with T = Expr.  Throws InputError that names a joint if forward dynamics is
-/// singular for every q.
-Traced trace(const std::string& function, const DynamicTree& tree);
+/// The inputs by which a derivative is taken: those named, or all.
+std::vector<std::string> derived_inputs(const Request& request, const Signature& signature);
 
-/// Inputs and outputs of one state, dense and row-major, by argument name.
-using Values = std::map<std::string, std::vector<double>>;
-
-/// The same algorithm with T = double (the generic engine).
-Values evaluate_generic(const std::string& function, const DynamicTree& tree, const Values& inputs);
+EngineFrames engine_frames(const Setup& setup);
 
 }  // namespace arboc

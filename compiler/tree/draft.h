@@ -25,7 +25,7 @@ struct DraftOf {
   int nv = 0;
   Vector3<S> gravity;
   bool joint_forces = false;
-  double friction_rate = 0.01;
+  double friction_velocity = 0.01;
   std::vector<DraftBodyOf<S>> body;  ///< body[0] is the world, parents before children
   std::vector<FrameOf<S>> frame;
 };

@@ -57,7 +57,7 @@ struct Body {
 
 /// What a joint adds by itself to the force that moves it, along its own rate r of coordinate c:
 ///   damping r + friction r / sqrt(r^2 + s^2) + stiffness (c - neutral) + rotor dr/dt,
-/// s = DynamicTree::friction_rate.  A joint of several freedoms has no spring.
+/// s = DynamicTree::friction_velocity.  A joint of several freedoms has no spring.
 template <class S>
 struct JointForcesOf {
   S damping{};    ///< N m s/rad or N s/m
@@ -98,7 +98,7 @@ struct DynamicTreeOf {
   std::vector<BodyOf<S>> body;               ///< body[0] is the world
   std::vector<FrameOf<S>> frame;             ///< every link, in the model's order
   bool joint_forces = false;                 ///< some body has forces of its joint's own
-  double friction_rate = 0.01;               ///< rad/s or m/s, where friction reaches 71 %
+  double friction_velocity = 0.01;           ///< rad/s or m/s, where friction reaches 71 %
   /// coupled[j]: the indices i < j for which M(i, j), or the fill of its factorisation from the
   /// last row up, can be non-zero, in descending order.  For a tree without mimic joints these are
   /// the ancestors of j.  Empty if nv > kLargestMatrix: such a tree is lowered to be inspected,

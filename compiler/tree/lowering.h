@@ -20,7 +20,7 @@ DynamicTreeOf<S> assemble(DraftOf<S> draft) {
   tree.nv = draft.nv;
   tree.gravity = draft.gravity;
   tree.joint_forces = draft.joint_forces;
-  tree.friction_rate = draft.friction_rate;
+  tree.friction_velocity = draft.friction_velocity;
   tree.frame = std::move(draft.frame);
   for (DraftBodyOf<S>& b : draft.body) {
     BodyOf<S>& body = b.body;

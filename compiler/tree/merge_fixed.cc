@@ -34,7 +34,7 @@ Body moving_body(const Model& model, size_t k, const Coordinates& coordinates) {
 NumbersOf<double> numbers(const Model& model, const JointForces& forces) {
   NumbersOf<double> result;
   result.gravity = model.gravity;
-  result.friction_rate = forces.friction_rate;
+  result.friction_velocity = forces.friction_velocity;
   for (const Joint& joint : model.joints) {
     result.origin.push_back(joint.origin.xyz);
     if (!forces.any()) continue;

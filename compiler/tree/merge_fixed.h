@@ -45,7 +45,7 @@ DraftOf<S> merge_fixed(const Model& model, const NumbersOf<S>& numbers) {
   draft.name = model.name;
   draft.gravity = numbers.gravity;
   draft.joint_forces = !numbers.forces.empty();
-  draft.friction_rate = numbers.friction_rate;
+  draft.friction_velocity = numbers.friction_velocity;
   draft.body.emplace_back();
   draft.body[0].body.link = "world";
   draft.frame.resize(model.links.size());

@@ -2,21 +2,11 @@
 #pragma once
 #include <vector>
 
+#include "model/joint_forces.h"
 #include "model/model.h"
 #include "tree/mass_moments.h"
 
 namespace arboc {
-
-/// Which of the forces that joints add by themselves are to be part of the dynamics.
-struct JointForces {
-  bool damping = false;
-  bool friction = false;
-  bool stiffness = false;
-  bool rotor = false;
-  double friction_rate = 0.01;  ///< rad/s or m/s, see JointForcesOf
-
-  bool any() const { return damping || friction || stiffness || rotor; }
-};
 
 /// In the model's own frames and order; S is double, or Expr where parameters take their place.
 template <class S>
@@ -25,7 +15,7 @@ struct NumbersOf {
   std::vector<Vector3<S>> origin;         ///< per joint xyz of its placement, m
   std::vector<MassMomentsOf<S>> moments;  ///< per link, about its origin and in its axes
   std::vector<JointForcesOf<S>> forces;   ///< per joint; none: empty
-  double friction_rate = 0.01;            ///< rad/s or m/s
+  double friction_velocity = 0.01;        ///< rad/s or m/s
 };
 
 /// As written, of the joints' own forces those that `forces` names.

@@ -5,63 +5,23 @@
 #include <limits>
 #include <vector>
 
-#include "algorithms/aba.h"
-#include "algorithms/fk.h"
-#include "algorithms/gravity.h"
-#include "algorithms/minv.h"
-#include "algorithms/nle.h"
-#include "algorithms/rnea.h"
-#include "algorithms/rnea_derivatives.h"
+#include "functions/engine.h"
 @includes@
 namespace {
 
-arboc::DynamicTree make_tree() {
+using Engine = arboc::Engine<arboc::DynamicTree, double>;
+using Inputs = Engine::Inputs;
+
+/// With inertial parameters moved to where they do the same with fewer operations.
+arboc::DynamicTree regrouped_tree() {
   arboc::DynamicTree tree;
-@tree@  return tree;
+@regrouped@  return tree;
 }
-
-/// The generic algorithms with their workspaces, one signature for all.
-struct Generic {
-  arboc::DynamicTree tree = make_tree();
-  std::vector<int> frames = moving_frames();
-  arboc::FkWorkspace<double> fk_work{tree};
-  arboc::RneaWorkspace<double> rnea_work{tree};
-  arboc::GravityWorkspace<double> gravity_work{tree};
-  arboc::CrbaWorkspace<double> crba_work{tree};
-  arboc::MinvWorkspace<double> minv_work{tree};
-  arboc::AbaWorkspace<double> aba_work{tree};
-  arboc::RneaDerivativesWorkspace<double> rnea_derivatives_work{tree};
-  std::vector<double> pivots = std::vector<double>(static_cast<std::size_t>(tree.nv));
-
-  std::vector<int> moving_frames() const {
-    std::vector<int> list;
-    for (std::size_t k = 0; k < tree.frame.size(); ++k)
-      if (tree.frame[k].moving) list.push_back(static_cast<int>(k));
-    return list;
-  }
-  void fk(const double* q, double* out) { arboc::fk(tree, fk_work, q, frames, out); }
-  void rnea(const double* q, const double* v, const double* a, double* out) {
-    arboc::rnea(tree, rnea_work, q, v, a, out);
-  }
-  void gravity(const double* q, double* out) { arboc::gravity(tree, gravity_work, q, out); }
-  void nle(const double* q, const double* v, double* out) { arboc::nle(tree, rnea_work, q, v, out); }
-  void crba(const double* q, double* out) {
-    arboc::crba(tree, crba_work, q, arboc::UpperTriangle<double>{out, tree.nv});
-  }
-  void minv(const double* q, double* out) {
-    arboc::minv(tree, minv_work, q, arboc::UpperTriangle<double>{out, tree.nv});
-  }
-  void aba(const double* q, const double* v, const double* tau, double* out) {
-    arboc::aba(tree, aba_work, q, v, tau, out, pivots.data());
-  }
-  void rnea_derivatives(const double* q, const double* v, const double* a, double* dtau_dq,
-                        double* dtau_dv, double* M) {
-    arboc::rnea_derivatives(tree, rnea_derivatives_work, q, v, a,
-                            arboc::SquareMatrix<double>{dtau_dq, tree.nv},
-                            arboc::SquareMatrix<double>{dtau_dv, tree.nv},
-                            arboc::UpperTriangle<double>{M, tree.nv});
-  }
-};
+/// With those of the bodies.
+arboc::DynamicTree own_tree() {
+  arboc::DynamicTree tree;
+@own@  return tree;
+}
 
 double now() {
   return std::chrono::duration<double, std::nano>(
@@ -111,16 +71,14 @@ double difference(const double* got, const double* expected, int n, const int* r
 
 }  // namespace
 
+/// in: the function's inputs at all states; known: its outputs where there is no generic algorithm.
 /// result: ns generated, ns generic, largest relative difference.
-extern "C" void arboc_bench(int function, int states, const double* q, const double* v, const double* a,
-                            const double* tau, double* result) {
-  static_cast<void>(v);
-  static_cast<void>(a);
-  static_cast<void>(tau);
-  constexpr int nq = @name@::nq, nv = @name@::nv;
-  static_cast<void>(nv);
-  static Generic generic;
-  std::vector<double> out(@size@), expected(@size@);
+extern "C" void arboc_bench(int function, int states, const double* const* in, const double* known,
+                            double* result) {
+  static_cast<void>(known);
+  static const arboc::DynamicTree regrouped_body = regrouped_tree(), own_body = own_tree();
+  static Engine regrouped(regrouped_body, @frames@), own(own_body, @frames@);
+  std::vector<double> out(@size@), reference(@size@);
   result[2] = 0;
   switch (function) {
 @cases@  }

@@ -1,0 +1,50 @@
+#include "functions/setup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/diagnostic.h"
+#include "model/findings.h"
+#include "model/names.h"
+
+namespace arboc {
+namespace {
+
+std::vector<int> links_called(const Model& model, const std::vector<std::string>& names,
+                              const char* option) {
+  std::vector<int> links;
+  for (const std::string& name : names) {
+    const int link = link_called(model, name, option);
+    if (std::find(links.begin(), links.end(), link) != links.end())
+      throw UsageError(fmt::format("{}: {} is given twice", option, named("link", name)));
+    links.push_back(link);
+  }
+  return links;
+}
+
+}  // namespace
+
+Setup resolve(Model model, const FunctionOptions& options) {
+  Setup setup;
+  for (const Joint& joint : model.joints)
+    if (nv(joint.type) > 0) setup.moving.push_back(joint.child);
+  setup.frames =
+      options.frames.empty() ? setup.moving : links_called(model, options.frames, "--frames");
+  setup.loads = links_called(model, options.external_forces, "--external-forces");
+  setup.axes = options.axes;
+  setup.joint_forces = options.joint_forces;
+  setup.parameters = resolve_parameters(model, options.parameters);
+  setup.iterated = options.iterated;
+  const Coordinates at = coordinates(model);
+  setup.nq = at.nq;
+  setup.nv = at.nv;
+  setup.model = std::move(model);
+  return setup;
+}
+
+DynamicTree lower(const Setup& setup, const LoweringOptions& options) {
+  return lower(setup.model, options, numbers(setup.model, setup.joint_forces));
+}
+
+}  // namespace arboc

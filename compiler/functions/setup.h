@@ -1,0 +1,43 @@
+// The body that functions are generated for: a configured model and the options they share,
+// resolved.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "functions/parameters.h"
+#include "model/model.h"
+#include "tree/lower.h"
+
+namespace arboc {
+
+/// What all functions of one compilation share, as the user wrote it.
+struct FunctionOptions {
+  std::vector<std::string> frames;           ///< links; none: those that a joint moves
+  Axes axes = Axes::kLocal;                  ///< of frame velocities, Jacobians and loads
+  std::vector<std::string> external_forces;  ///< links on which wrenches act
+  JointForces joint_forces;
+  std::vector<std::string> parameters;  ///< `masses`, `lengths:forearm`, ...
+  /// Hessians as derivatives of derivatives along the body's axes, not symmetric where a joint
+  /// turns about several of them; otherwise second derivatives of f(q (+) d).
+  bool iterated = false;
+};
+
+struct Setup {
+  Model model;              ///< configured
+  std::vector<int> frames;  ///< links that fk and frame functions report, in this order
+  std::vector<int> loads;   ///< links on which external wrenches act
+  std::vector<int> moving;  ///< links moved by a joint, in the order of the joints
+  Axes axes = Axes::kLocal;
+  JointForces joint_forces;
+  std::vector<Parameter> parameters;
+  bool iterated = false;
+  int nq = 0, nv = 0;
+};
+
+/// Throws UsageError for a name that the model has not, with the nearest one it has.
+Setup resolve(Model model, const FunctionOptions& options = {});
+
+/// The tree of the model's own numbers.
+DynamicTree lower(const Setup& setup, const LoweringOptions& options);
+
+}  // namespace arboc

@@ -1,0 +1,357 @@
+#include "functions/trace.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/diagnostic.h"
+#include "derive/hessian.h"
+#include "derive/jacobian.h"
+#include "derive/reverse.h"
+#include "functions/call.h"
+#include "functions/tangent.h"
+
+namespace arboc {
+namespace {
+
+template <class T>
+using Arguments = std::map<std::string, std::vector<T>>;
+
+/// Dense outputs in the order of the signature (of symmetric ones the upper triangle), then pivots.
+template <class Tree, class T>
+std::vector<std::vector<T>> run(const Signature& s, const Tree& tree, const Setup& setup,
+                                const Arguments<T>& inputs) {
+  const auto input = [&](const char* name) {
+    const auto it = inputs.find(name);
+    return it == inputs.end() ? nullptr : it->second.data();
+  };
+  const typename Engine<Tree, T>::Inputs in{input("q"),   input("v"),  input("a"),
+                                            input("tau"), input("q1"), input("f_ext")};
+  std::vector<std::vector<T>> results;
+  for (const Argument& a : s.outputs)
+    results.emplace_back(static_cast<size_t>(a.rows) * static_cast<size_t>(a.cols), T(0));
+  if (!s.positive.empty()) results.emplace_back(static_cast<size_t>(tree.nv), T(0));
+  std::vector<T*> out;
+  for (auto& result : results) out.push_back(result.data());
+  Engine<Tree, T> engine(tree, engine_frames(setup));
+  (engine.*engine_method<Tree, T>(s.name))(in, out.data());
+  return results;
+}
+
+/// The values of the parameters, in their order.
+template <class T>
+std::vector<std::vector<T>> parameter_values(const Setup& setup, const Arguments<T>& inputs) {
+  std::vector<std::vector<T>> values;
+  for (const Parameter& p : setup.parameters) values.push_back(inputs.at(p.name));
+  return values;
+}
+
+/// Where symbols leave a number alone it is the one of the tree of numbers, whose rounding is
+/// cleaned.
+void keep_number(double number, Expr& x) {
+  if (x.is_constant()) x = number;
+}
+void keep_numbers(const Vector3<double>& numbers, Vector3<Expr>& x) {
+  for (int k = 0; k < 3; ++k) keep_number(numbers[k], x[k]);
+}
+
+DynamicTreeOf<Expr> symbolic_tree(const Setup& setup, const LoweringOptions& lowering,
+                                  const DynamicTree& nominal, const Arguments<Expr>& inputs) {
+  DynamicTreeOf<Expr> tree = lower(setup.model, lowering,
+                                   numbers_with(setup.model, setup.joint_forces, setup.parameters,
+                                                parameter_values(setup, inputs)));
+  keep_numbers(nominal.gravity, tree.gravity);
+  for (size_t k = 0; k < tree.body.size(); ++k) {
+    const BodyOf<double>& from = nominal.body[k];
+    BodyOf<Expr>& to = tree.body[k];
+    keep_numbers(from.c, to.c);
+    keep_number(from.inertia.m, to.inertia.m);
+    keep_numbers(from.inertia.h, to.inertia.h);
+    const Symmetric3<double>& I = from.inertia.Sigma;
+    Symmetric3<Expr>& S = to.inertia.Sigma;
+    keep_number(I.xx, S.xx);
+    keep_number(I.yy, S.yy);
+    keep_number(I.zz, S.zz);
+    keep_number(I.xy, S.xy);
+    keep_number(I.xz, S.xz);
+    keep_number(I.yz, S.yz);
+  }
+  for (size_t k = 0; k < tree.frame.size(); ++k) keep_numbers(nominal.frame[k].p, tree.frame[k].p);
+  return tree;
+}
+
+/// Names the joint whose coordinate can never be accelerated by a finite force.
+void refuse_singular(const DynamicTree& tree, const std::vector<Expr>& pivots,
+                     const std::string& function) {
+  for (size_t k = pivots.size(); k-- > 0;) {
+    if (!pivots[k].is_constant() || pivots[k].value() > 0) continue;
+    const auto body = std::find_if(tree.body.begin(), tree.body.end(), [&](const Body& b) {
+      const int first = b.v, last = b.v + freedoms(b.motion);
+      return first <= static_cast<int>(k) && static_cast<int>(k) < last;
+    });
+    throw InputError(
+        fmt::format("error: joint '{}': what it moves has no inertia about its axis, so {} has no "
+                    "solution (give its links mass, fix the joint, or leave {} out)",
+                    printable(body->joint), function, function));
+  }
+}
+
+/// A trace on its way: inputs, and outputs by name.
+class Tracer {
+ public:
+  Tracer(const Request& request, const Setup& setup, const LoweringOptions& lowering)
+      : setup_(setup),
+        lowering_(lowering),
+        nominal_(lower(setup, lowering)),
+        signature_(signature(request, setup)),
+        request_(defined_as(request)),
+        builder_(signature_.name) {}
+
+  Traced run() {
+    for (const Argument& a : signature_.inputs)
+      for (const Ref ref : builder_.input(a.name, a.rows * a.cols))
+        inputs_[a.name].emplace_back(&builder_, ref);
+    if (request_.derivative == Derivative::kNone)
+      plain();
+    else
+      derived();
+    if (!pivots_.empty()) output(signature_.positive, pivots_);
+    Traced traced;
+    traced.patterns = std::move(patterns_);
+    traced.graph = std::move(builder_).finish();
+    return traced;
+  }
+
+ private:
+  /// Results of a function of the catalogue; keeps its pivots.
+  std::vector<std::vector<Expr>> evaluate(const Signature& s) {
+    std::vector<std::vector<Expr>> results =
+        setup_.parameters.empty()
+            ? arboc::run(s, nominal_, setup_, inputs_)
+            : arboc::run(s, symbolic_tree(setup_, lowering_, nominal_, inputs_), setup_, inputs_);
+    if (!s.positive.empty()) {
+      pivots_ = std::move(results.back());
+      results.pop_back();
+      refuse_singular(nominal_, pivots_, s.name);
+    }
+    return results;
+  }
+
+  void plain() {
+    const std::vector<std::vector<Expr>> results = evaluate(signature_);
+    for (size_t k = 0; k < results.size(); ++k) {
+      const Argument& a = signature_.outputs[k];
+      Pattern& pattern = patterns_.emplace_back();
+      output(a.code(), a.sparse ? non_zeros(a, results[k], pattern) : results[k]);
+    }
+  }
+
+  void derived() {
+    Request base;
+    base.function = request_.function;
+    const Signature s = signature(base, setup_);
+    const std::vector<std::vector<Expr>> results = evaluate(s);
+    size_t k = 0;
+    while (s.outputs[k].name != request_.output) ++k;
+    std::vector<Ref> values;
+    for (const Expr& x : filled(s.outputs[k], results[k])) values.push_back(x.ref(builder_));
+    const std::vector<std::string> with = derived_inputs(request_, s);
+    if (request_.derivative == Derivative::kJacobian)
+      jacobians(values, with);
+    else if (request_.derivative == Derivative::kHessian)
+      hessians(weighted(values), with);
+    else
+      gradients(weighted(values), with);
+  }
+
+  /// Both triangles of a symmetric matrix.
+  static std::vector<Expr> filled(const Argument& a, std::vector<Expr> values) {
+    const auto n = static_cast<size_t>(a.rows);
+    for (size_t i = 0; a.symmetric && i < n; ++i)
+      for (size_t j = 0; j < i; ++j) values[i * n + j] = values[j * n + i];
+    return values;
+  }
+
+  /// What a scalar derivative is taken of: the value, y^T y / 1, or lambda^T y.
+  WeightedSum weighted(const std::vector<Ref>& values) {
+    if (request_.squares) {
+      Ref sum = builder_.constant(0);
+      for (const Ref y : values) sum = builder_.add(sum, builder_.mul(y, y));
+      return {{sum}, {builder_.constant(1)}};
+    }
+    const auto lambda = inputs_.find("lambda");
+    if (lambda == inputs_.end()) return {values, {builder_.constant(1)}};
+    WeightedSum sum{values, {}};
+    for (const Expr& x : lambda->second) sum.weights.push_back(x.ref(builder_));
+    return sum;
+  }
+
+  std::vector<Coordinate> coordinates(const std::string& input) {
+    std::vector<Ref> refs;
+    for (const Expr& x : inputs_.at(input)) refs.push_back(x.ref(builder_));
+    if (input == "q" || input == "q1") return tangent(nominal_, builder_, refs);
+    return coordinates_of(builder_, input, refs);
+  }
+
+  /// Those of several inputs in one list; `first` receives where each begins, and the end.
+  std::vector<Coordinate> all_coordinates(const std::vector<std::string>& with,
+                                          std::vector<int>& first) {
+    std::vector<Coordinate> all;
+    for (const std::string& input : with) {
+      first.push_back(static_cast<int>(all.size()));
+      for (Coordinate& c : coordinates(input)) all.push_back(std::move(c));
+    }
+    first.push_back(static_cast<int>(all.size()));
+    return all;
+  }
+
+  void jacobians(const std::vector<Ref>& values, const std::vector<std::string>& with) {
+    std::vector<int> first;
+    const std::vector<Coordinate> all = all_coordinates(with, first);
+    const SparseMatrix J = jacobian(builder_, values, all);
+    for (size_t w = 0; w < with.size(); ++w) {
+      SparseMatrix part;
+      for (size_t k = 0; k < J.value.size(); ++k)
+        if (first[w] <= J.col[k] && J.col[k] < first[w + 1])
+          part.push(J.row[k], J.col[k] - first[w], J.value[k]);
+      output(signature_.outputs[w].name, part);
+    }
+  }
+
+  void gradients(const WeightedSum& sum, const std::vector<std::string>& with) {
+    std::vector<int> first;
+    const std::vector<Coordinate> all = all_coordinates(with, first);
+    const std::vector<Ref> g = gradient(builder_, sum, all);
+    for (size_t w = 0; w < with.size(); ++w) {
+      builder_.output(signature_.outputs[w].name, {g.begin() + first[w], g.begin() + first[w + 1]});
+      patterns_.emplace_back();
+    }
+  }
+
+  /// The pair of inputs behind an output H_qv.
+  BlockPair pair(const std::string& output, const std::vector<std::string>& with) const {
+    for (size_t i = 0; i < with.size(); ++i)
+      for (size_t j = 0; j < with.size(); ++j)
+        if (output == "H_" + with[i] + with[j]) return {i, j};
+    throw std::logic_error("no block " + output);
+  }
+
+  void hessians(const WeightedSum& sum, const std::vector<std::string>& with) {
+    std::vector<CoordinateBlock> blocks;
+    for (const std::string& input : with) blocks.push_back(coordinates(input));
+    std::vector<BlockPair> pairs;
+    for (const Argument& a : signature_.outputs) pairs.push_back(pair(a.name, with));
+    if (!setup_.iterated) {
+      const std::vector<SparseMatrix> H = hessian(builder_, sum, blocks, pairs);
+      for (size_t k = 0; k < pairs.size(); ++k) output(signature_.outputs[k].name, H[k]);
+      return;
+    }
+    std::vector<int> first;
+    const SparseMatrix H = iterated_hessian(builder_, sum, all_coordinates(with, first));
+    for (size_t p = 0; p < pairs.size(); ++p) {
+      const auto [r, c] = pairs[p];
+      SparseMatrix part;
+      for (size_t k = 0; k < H.value.size(); ++k)
+        if (first[r] <= H.row[k] && H.row[k] < first[r + 1] && first[c] <= H.col[k] &&
+            H.col[k] < first[c + 1])
+          part.push(H.row[k] - first[r], H.col[k] - first[c], H.value[k]);
+      output(signature_.outputs[p].name, part);
+    }
+  }
+
+  /// The structural non-zeros of an output, by columns, and their values.
+  static std::vector<Expr> non_zeros(const Argument& a, const std::vector<Expr>& matrix,
+                                     Pattern& pattern) {
+    std::vector<Expr> entries;
+    for (int col = 0; col < a.cols; ++col) {
+      for (int row = 0; row < (a.symmetric ? col + 1 : a.rows); ++row) {
+        const Expr& entry = matrix[static_cast<size_t>(row) * static_cast<size_t>(a.cols) +
+                                   static_cast<size_t>(col)];
+        if (is_zero(entry)) continue;
+        pattern.row.push_back(row);
+        pattern.col.push_back(col);
+        entries.push_back(entry);
+      }
+    }
+    return entries;
+  }
+
+  void output(const std::string& name, const std::vector<Expr>& values) {
+    std::vector<Ref> refs;
+    for (const Expr& value : values) refs.push_back(value.ref(builder_));
+    builder_.output(name, refs);
+  }
+  void output(const std::string& name, const SparseMatrix& matrix) {
+    builder_.output(name, matrix.value);
+    patterns_.push_back({matrix.row, matrix.col});
+  }
+
+  const Setup& setup_;
+  LoweringOptions lowering_;
+  DynamicTree nominal_;
+  Signature signature_;
+  Request request_;  ///< definitions resolved
+  Builder builder_;
+  Arguments<Expr> inputs_;
+  std::vector<Expr> pivots_;
+  std::vector<Pattern> patterns_;
+};
+
+/// Scatters what a graph computes into dense outputs.
+Values evaluate_traced(const Request& request, const Setup& setup, const LoweringOptions& lowering,
+                       const Values& inputs) {
+  const Signature s = signature(request, setup);
+  const Traced traced = trace(request, setup, lowering);
+  std::vector<std::vector<double>> in;
+  for (const Argument& a : s.inputs) in.push_back(inputs.at(a.name));
+  const auto out = evaluate(traced.graph, in);
+  Values values;
+  for (size_t k = 0; k < s.outputs.size(); ++k) {
+    const Argument& a = s.outputs[k];
+    if (!a.sparse) {
+      values[a.name] = out[k];
+      continue;
+    }
+    std::vector<double>& dense = values[a.name];
+    dense.resize(static_cast<size_t>(a.rows) * static_cast<size_t>(a.cols));
+    const auto at = [&](int row, int col) -> double& {
+      return dense[static_cast<size_t>(row) * static_cast<size_t>(a.cols) +
+                   static_cast<size_t>(col)];
+    };
+    for (size_t e = 0; e < out[k].size(); ++e) {
+      const int row = traced.patterns[k].row[e], col = traced.patterns[k].col[e];
+      at(row, col) = out[k][e];
+      if (a.symmetric) at(col, row) = out[k][e];
+    }
+  }
+  return values;
+}
+
+}  // namespace
+
+Traced trace(const Request& request, const Setup& setup, const LoweringOptions& lowering) {
+  return Tracer(request, setup, lowering).run();
+}
+
+Values evaluate_generic(const Request& request, const Setup& setup, const LoweringOptions& lowering,
+                        const Values& inputs) {
+  if (defined_as(request).derivative != Derivative::kNone)
+    return evaluate_traced(request, setup, lowering, inputs);
+  const Signature s = signature(request, setup);
+  const DynamicTree tree = lower(setup.model, lowering,
+                                 numbers_with(setup.model, setup.joint_forces, setup.parameters,
+                                              parameter_values(setup, inputs)));
+  std::vector<std::vector<double>> results = run(s, tree, setup, inputs);
+  Values values;
+  for (size_t k = 0; k < s.outputs.size(); ++k) {
+    const Argument& a = s.outputs[k];
+    std::vector<double>& result = results[k];
+    const auto n = static_cast<size_t>(a.rows);
+    for (size_t i = 0; a.symmetric && i < n; ++i)
+      for (size_t j = 0; j < i; ++j) result[i * n + j] = result[j * n + i];
+    values[a.name] = std::move(result);
+  }
+  return values;
+}
+
+}  // namespace arboc

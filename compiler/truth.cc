@@ -1,0 +1,351 @@
+#include "truth.h"
+
+#include <cmath>
+#include <functional>
+
+#include "reference/differentiate.h"
+#include "reference/frames.h"
+#include "reference/momentum.h"
+#include "reference/regressor.h"
+
+namespace arboc {
+namespace {
+
+template <class S>
+using Arguments = std::map<std::string, VectorOf<S>>;
+
+template <class S, class M>
+VectorOf<S> by_rows(const M& matrix) {
+  const MatrixOf<S> transposed = matrix.transpose();
+  return transposed.reshaped();
+}
+
+/// Moves one input by a tangent vector.
+template <class S>
+Arguments<S> moved(const ReferenceOf<S>& reference, Arguments<S> in, const std::string& name,
+                   const VectorOf<S>& step) {
+  VectorOf<S>& x = in.at(name);
+  x = name == "q" || name == "q1" ? reference.integrate(x, step) : VectorOf<S>(x + step);
+  return in;
+}
+
+/// The functions of the catalogue that are not derivatives, on any scalar.
+template <class S>
+class Plain {
+ public:
+  Plain(const Setup& setup, const Model& model, const Arguments<S>& in)
+      : setup_(setup),
+        model_(model),
+        free_(model),
+        reference_(model, setup.joint_forces),
+        in_(in) {}
+
+  Arguments<S> operator()(const std::string& function) const {
+    const auto& q = in_.at("q");
+    if (function == "fk") return {{"placements", placements()}};
+    if (function == "rnea") return {{"tau", reference_.rnea(q, v(), a(), loads())}};
+    if (function == "gravity") return {{"g", free_.gravity(q)}};
+    if (function == "nle") return {{"nle", reference_.nle(q, v(), loads())}};
+    if (function == "crba") return {{"M", by_rows<S>(reference_.crba(q))}};
+    if (function == "minv") return {{"Minv", by_rows<S>(reference_.minv(q))}};
+    if (function == "aba") return {{"qdd", reference_.aba(q, v(), in_.at("tau"), loads())}};
+    if (function == "com") return {{"c", com(free_, q)}, {"vc", com_velocity(free_, q, v())}};
+    if (function == "com_jacobian") return {{"Jc", by_rows<S>(com_jacobian(free_, q))}};
+    if (function == "joint_jacobians") return {{"J_world", by_rows<S>(joint_jacobians(free_, q))}};
+    if (function == "energy")
+      return {{"T", VectorOf<S>::Constant(1, free_.kinetic(q, v()))},
+              {"V", VectorOf<S>::Constant(1, free_.potential(q))}};
+    if (function == "centroidal") {
+      const CentroidalOf<S> all = centroidal(free_, q, v(), a());
+      return {{"h", all.h}, {"A_G", by_rows<S>(all.A_G)}, {"dh", all.dh}};
+    }
+    if (function == "regressor") return {{"Y", by_rows<S>(regressor(free_, q, v(), a()))}};
+    if (function == "integrate") return {{"q_next", free_.integrate(q, v())}};
+    if (function == "difference") return {{"d", free_.difference(q, in_.at("q1"))}};
+    return frames(function);
+  }
+
+ private:
+  const VectorOf<S>& v() const { return in_.at("v"); }
+  const VectorOf<S>& a() const { return in_.at("a"); }
+
+  VectorOf<S> placements() const {
+    VectorOf<S> out(static_cast<Eigen::Index>(12 * setup_.frames.size()));
+    const auto links = free_.fk(in_.at("q"));
+    Eigen::Index k = 0;
+    for (const int frame : setup_.frames) {
+      const auto& T = links[static_cast<size_t>(frame)];
+      for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c) out[k++] = T.R(r, c);
+      for (int r = 0; r < 3; ++r) out[k++] = T.p(r);
+    }
+    return out;
+  }
+
+  Arguments<S> frames(const std::string& function) const {
+    const auto& q = in_.at("q");
+    const auto n = static_cast<Eigen::Index>(setup_.frames.size());
+    const bool matrix = function.starts_with("frame_jacobian");
+    VectorOf<S> out(n * 6 * (matrix ? setup_.nv : 1));
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const int link = setup_.frames[static_cast<size_t>(k)];
+      const Axes axes = setup_.axes;
+      VectorOf<S> part;
+      if (function == "frame_velocity") part = frame_velocity(free_, q, v(), link, axes);
+      if (function == "frame_acceleration")
+        part = frame_acceleration(free_, q, v(), a(), link, axes);
+      if (function == "frame_jacobian") part = by_rows<S>(frame_jacobian(free_, q, link, axes));
+      if (function == "frame_jacobian_dot")
+        part = by_rows<S>(frame_jacobian_dot(free_, q, v(), link, axes));
+      if (part.size() == 0) throw std::logic_error("no reference for " + function);
+      out.segment(k * part.size(), part.size()) = part;
+    }
+    const char* name = function == "frame_velocity"       ? "velocity"
+                       : function == "frame_acceleration" ? "acceleration"
+                       : function == "frame_jacobian"     ? "J"
+                                                          : "dJ";
+    return {{name, out}};
+  }
+
+  Loads loads() const {
+    Loads loads;
+    for (size_t k = 0; k < setup_.loads.size(); ++k) {
+      const auto at = static_cast<Eigen::Index>(6 * k);
+      loads.push_back({setup_.loads[k], setup_.axes, real(in_.at("f_ext").segment(at, 6))});
+    }
+    return loads;
+  }
+  template <class X>
+  static Eigen::Matrix<double, 6, 1> real(const X& x) {
+    return x.real();
+  }
+
+  const Setup& setup_;
+  const Model& model_;
+  ReferenceOf<S> free_;       ///< without the joints' own forces
+  ReferenceOf<S> reference_;  ///< with those of the setup
+  const Arguments<S>& in_;
+};
+
+/// The model with the parameters of a state.
+template <class S>
+Model model_of(const Setup& setup, const Arguments<S>& in) {
+  std::vector<std::vector<double>> values;
+  for (const Parameter& p : setup.parameters) {
+    const Eigen::VectorXd x = in.at(p.name).real();
+    values.emplace_back(x.begin(), x.end());
+  }
+  return model_with(setup.model, setup.parameters, values);
+}
+
+template <class S>
+Arguments<S> plain(const std::string& function, const Setup& setup, const Arguments<S>& in) {
+  const Model model = model_of(setup, in);
+  return Plain<S>(setup, model, in)(function);
+}
+
+/// Derivatives of one output.
+class Derivatives {
+ public:
+  Derivatives(const Setup& setup, std::string function, std::string output,
+              const Arguments<double>& in)
+      : setup_(setup),
+        function_(std::move(function)),
+        output_(std::move(output)),
+        at_(setup.model) {
+    for (const auto& [name, x] : in) in_[name] = x.cast<Complex>();
+  }
+
+  int size(const std::string& input) const {
+    return input == "q" || input == "q1" ? setup_.nv : static_cast<int>(in_.at(input).size());
+  }
+  Eigen::VectorXd value() const { return plain(function_, setup_, in_).at(output_).real(); }
+
+  /// Entries of the output x size(input).
+  Eigen::MatrixXd jacobian(const std::string& input) const { return jacobian(in_, input); }
+
+  /// Entry (j, k): along j of x, then along k of y, of weight^T output.
+  Eigen::MatrixXd hessian(const std::string& x, const std::string& y,
+                          const std::function<Eigen::VectorXd(const Arguments<Complex>&)>& weight,
+                          bool symmetric) const {
+    const int n = size(x), m = size(y);
+    Eigen::MatrixXd H(n, m);
+    const double h = step(y);
+    for (int k = 0; k < m; ++k) {
+      const auto slopes = [&](int times) -> Eigen::VectorXd {
+        const VectorOf<Complex> outer = VectorOf<Complex>::Unit(m, k) * Complex(times * h);
+        if (symmetric && x == y) return along_with(x, outer, weight);
+        const Arguments<Complex> there = moved(at_, in_, y, outer);
+        return jacobian(there, x).transpose() * weight(there);
+      };
+      H.col(k) = (45 * (slopes(1) - slopes(-1)) - 9 * (slopes(2) - slopes(-2)) +
+                  (slopes(3) - slopes(-3))) /
+                 (60 * h);
+    }
+    return H;
+  }
+  const Arguments<Complex>& inputs() const { return in_; }
+  Eigen::VectorXd value(const Arguments<Complex>& in) const {
+    return plain(function_, setup_, in).at(output_).real();
+  }
+
+ private:
+  bool analytic(const std::string& input) const {
+    if (input == "f_ext") return false;
+    for (const Parameter& p : setup_.parameters)
+      if (input == p.name) return false;
+    return true;
+  }
+  double step(const std::string& input) const {
+    return input == "masses" || input == "inertias" || input == "lengths" || input == "centres"
+               ? 1e-3
+               : complex_step::difference_step(at_);
+  }
+
+  Eigen::MatrixXd jacobian(const Arguments<Complex>& in, const std::string& input) const {
+    const int n = size(input);
+    Eigen::MatrixXd J;
+    for (int j = 0; j < n; ++j) {
+      const Eigen::VectorXd column = derivative(in, input, VectorOf<Complex>::Unit(n, j));
+      if (j == 0) J.resize(column.size(), n);
+      J.col(j) = column;
+    }
+    return J;
+  }
+
+  Eigen::VectorXd derivative(const Arguments<Complex>& in, const std::string& input,
+                             const VectorOf<Complex>& direction) const {
+    if (analytic(input)) {
+      const VectorOf<Complex> inner = direction * Complex(0, complex_step::kStep);
+      return plain(function_, setup_, moved(at_, in, input, inner)).at(output_).imag() /
+             complex_step::kStep;
+    }
+    const double h = 1e-3;
+    const auto f = [&](int times) -> Eigen::VectorXd {
+      return value(moved<Complex>(at_, in, input, direction * Complex(times * h)));
+    };
+    return (45 * (f(1) - f(-1)) - 9 * (f(2) - f(-2)) + (f(3) - f(-3))) / (60 * h);
+  }
+
+  /// Gradient with respect to d of weight^T f(x (+) d) at d = outer.
+  Eigen::VectorXd along_with(
+      const std::string& x, const VectorOf<Complex>& outer,
+      const std::function<Eigen::VectorXd(const Arguments<Complex>&)>& weight) const {
+    const Eigen::Index n = outer.size();
+    const Eigen::VectorXd w = weight(moved(at_, in_, x, outer));
+    Eigen::VectorXd result(n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const VectorOf<Complex> unit = VectorOf<Complex>::Unit(n, j);
+      if (!analytic(x)) {
+        result[j] = w.dot(derivative(moved(at_, in_, x, outer), x, unit));
+        continue;
+      }
+      const VectorOf<Complex> both = outer + unit * Complex(0, complex_step::kStep);
+      result[j] = w.dot(
+          Eigen::VectorXd(plain(function_, setup_, moved(at_, in_, x, both)).at(output_).imag() /
+                          complex_step::kStep));
+    }
+    return result;
+  }
+
+  const Setup& setup_;
+  std::string function_, output_;
+  Arguments<Complex> in_;
+  ComplexReference at_;  ///< for its manifold
+};
+
+std::vector<double> list(const Eigen::VectorXd& x) { return {x.begin(), x.end()}; }
+
+Values derived(const Request& request, const Signature& s, const Setup& setup,
+               const Arguments<double>& in) {
+  const Derivatives of(setup, request.function, request.output, in);
+  Request base;
+  base.function = request.function;
+  const std::vector<std::string> with = derived_inputs(request, signature(base, setup));
+  const auto lambda = in.find("lambda");
+  const auto weight = [&](const Arguments<Complex>& at) -> Eigen::VectorXd {
+    if (request.squares) return 2 * of.value(at);
+    if (lambda != in.end() && lambda->second.size() > 0) return lambda->second;
+    return Eigen::VectorXd::Ones(1);
+  };
+  Values values;
+  if (request.derivative != Derivative::kHessian) {
+    for (size_t k = 0; k < with.size(); ++k) {
+      const Eigen::MatrixXd J = of.jacobian(with[k]);
+      values[s.outputs[k].name] = request.derivative == Derivative::kJacobian
+                                      ? list(by_rows<double>(J))
+                                      : list(J.transpose() * weight(of.inputs()));
+    }
+    return values;
+  }
+  for (const Argument& output : s.outputs)
+    for (const std::string& x : with)
+      for (const std::string& y : with)
+        if (output.name == "H_" + x + y)
+          values[output.name] = list(by_rows<double>(of.hessian(x, y, weight, !setup.iterated)));
+  return values;
+}
+
+/// Catalogue functions of several derivatives: what of, and by what.
+struct Part {
+  const char *output, *function, *of, *with;
+};
+constexpr Part kParts[] = {
+    {"dtau_dq", "rnea", "tau", "q"},   {"dtau_dv", "rnea", "tau", "v"},
+    {"dqdd_dq", "aba", "qdd", "q"},    {"dqdd_dv", "aba", "qdd", "v"},
+    {"dd_dq", "difference", "d", "q"}, {"dd_dq1", "difference", "d", "q1"},
+};
+
+/// q (+) v in the tangent spaces: of difference(q_next, .) at q_next.
+Eigen::MatrixXd integrate_derivative(const Setup& setup, const Arguments<double>& in,
+                                     const std::string& with) {
+  const Reference reference(setup.model);
+  const ComplexReference complex(setup.model);
+  const VectorOf<Complex> next = reference.integrate(in.at("q"), in.at("v")).cast<Complex>();
+  Arguments<Complex> at;
+  for (const auto& [name, x] : in) at[name] = x.cast<Complex>();
+  Eigen::MatrixXd J(setup.nv, setup.nv);
+  for (int j = 0; j < setup.nv; ++j) {
+    const VectorOf<Complex> step =
+        VectorOf<Complex>::Unit(setup.nv, j) * Complex(0, complex_step::kStep);
+    const Arguments<Complex> there = moved(complex, at, with, step);
+    J.col(j) = complex.difference(next, complex.integrate(there.at("q"), there.at("v"))).imag() /
+               complex_step::kStep;
+  }
+  return J;
+}
+
+}  // namespace
+
+Values evaluate_reference(const Request& request, const Setup& setup, const Values& inputs) {
+  const Signature s = signature(request, setup);
+  Arguments<double> in;
+  for (const Argument& a : s.inputs) {
+    const auto& x = inputs.at(a.name);
+    in[a.name] = Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+  }
+  const Request definition = defined_as(request);
+  if (definition.derivative != Derivative::kNone) return derived(definition, s, setup, in);
+  const std::string& function = request.function;
+  Values values;
+  if (function == "integrate_derivatives") {
+    values["dq_next_dq"] = list(by_rows<double>(integrate_derivative(setup, in, "q")));
+    values["dq_next_dv"] = list(by_rows<double>(integrate_derivative(setup, in, "v")));
+    return values;
+  }
+  if (!function.ends_with("_derivatives")) {
+    for (const auto& [name, x] : plain(function, setup, in)) values[name] = list(x);
+    return values;
+  }
+  for (const Argument& output : s.outputs) {
+    for (const Part& part : kParts)
+      if (output.name == part.output)
+        values[output.name] = list(
+            by_rows<double>(Derivatives(setup, part.function, part.of, in).jacobian(part.with)));
+    if (output.name == "M") values["M"] = list(plain("crba", setup, in).at("M"));
+    if (output.name == "Minv") values["Minv"] = list(plain("minv", setup, in).at("Minv"));
+  }
+  return values;
+}
+
+}  // namespace arboc
