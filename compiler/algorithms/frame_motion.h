@@ -197,14 +197,6 @@ void for_each_frame_motion(const Tree& tree, FrameMotionWorkspace<T>& work, cons
   }
 }
 
-template <class T>
-void write_twist(const Twist<T>& twist, T* out) {
-  for (int i = 0; i < 3; ++i) {
-    out[i] = twist.linear[i];
-    out[3 + i] = twist.angular[i];
-  }
-}
-
 /// q (nq), v (nv) -> 6 per entry of `frames` (indices into tree.frame): m/s, rad/s.
 template <class Tree, class T>
 void frame_velocity(const Tree& tree, FrameMotionWorkspace<T>& work, const T* q, const T* v,

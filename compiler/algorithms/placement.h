@@ -38,12 +38,14 @@ struct Placements {
     body[0].x = {o, o, o};
   }
 
+  /// `from_roots`: positions count from the origins of the bodies that stand on the world.
   template <class Tree>
-  void update(const Tree& tree, const T* q) {
+  void update(const Tree& tree, const T* q, bool from_roots = false) {
     pose.update(tree, q);
     for (int i = 1; i <= tree.nb(); ++i) {
       enter_block(q, tree.body[i].link, "placement");
       place(tree.body[i], pose[i], body[tree.body[i].parent], body[i]);
+      if (from_roots && tree.body[i].parent == 0) body[i].x = body[0].x;
     }
   }
   const BodyPlacement<T>& operator[](int i) const { return body[i]; }

@@ -63,6 +63,14 @@ void add_column(const S& factor, const Twist<T>& twist, T* column, int n) {
 }
 
 template <class T>
+void write_twist(const Twist<T>& twist, T* out) {
+  for (int i = 0; i < 3; ++i) {
+    out[i] = twist.linear[i];
+    out[3 + i] = twist.angular[i];
+  }
+}
+
+template <class T>
 void fill_zero(T* values, int n) {
   for (int i = 0; i < n; ++i) values[i] = T(0);
 }
