@@ -5,6 +5,7 @@
 // frame's own axes the chain is walked inward, so that only the rotation between joint and frame
 // is formed.  Its derivative is the cross product with the velocity of the joint's body relative to
 // the axes in which it is written: seen from the frame, minus what the joints between add.
+// docs/theory.md section 7.
 #pragma once
 #include "algorithms/joint_jacobians.h"
 #include "spatial/axes.h"

@@ -7,7 +7,7 @@
 //   kWorld    spatial acceleration about the world's origin
 // Three recursions: along the frame's axes outward with the bodies' axes; along the world's axes
 // inward from the frame, which rotates five vectors a joint instead of three rows and four vectors,
-// unless many frames share their joints.
+// unless many frames share their joints.  docs/theory.md section 7.
 #pragma once
 #include "algorithms/placement.h"
 #include "algorithms/twist.h"

@@ -5,7 +5,8 @@
 //   p + R V(phi) l,  V = 1 + c_2(x) [phi] + c_3(x) [phi]^2,  quaternion (c_1(x/4) phi / 2,
 //   c_0(x/4)).
 // A planar joint moves by that of SE(2), whose V is a rotation by half the angle times c_1.  Other
-// joints add.  Followers of mimic joints have no coordinate of their own.
+// joints add.  docs/theory.md section 8.  Followers of mimic joints have no coordinate of their
+// own.
 #pragma once
 #include "algorithms/rigid_motion.h"
 #include "algorithms/twist.h"

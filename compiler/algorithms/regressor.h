@@ -5,7 +5,7 @@
 // The wrench on a body is linear in them, f = m dv + U mc, n = mc x dv + G I; a joint coordinate
 // whose unit motion is (d, t) in the link frame feels d . f + t . n, so its ten entries are
 //   d . dv,   U^T d + dv x t,   G^T t.
-// Unit motions of the joints are carried outward.
+// Unit motions of the joints are carried outward.  docs/theory.md section 7.
 #pragma once
 #include "algorithms/link_motion.h"
 #include "algorithms/twist.h"
