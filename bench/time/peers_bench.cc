@@ -14,7 +14,7 @@
 #include "differential/peer.h"
 #include "frontend/read_model.h"
 #include "generic.h"
-#include "record.h"
+#include "state_source.h"
 #include "tree/lower.h"
 #include "ur5/ur5_raw.hpp"
 

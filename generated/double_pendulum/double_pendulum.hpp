@@ -16,7 +16,7 @@ using Vector = Tangent;  ///< where nq == nv
 /// nv x nv; on the heap where it would be too large for the stack.
 using Matrix = Eigen::Matrix<double, (nv <= 64 ? nv : Eigen::Dynamic), (nv <= 64 ? nv : Eigen::Dynamic)>;
 
-/// Forward kinematics: where each moving link's frame is in the world.
+/// Forward kinematics: where the reported links' frames are in the world.
 inline Eigen::Matrix<double, 2, 12, Eigen::RowMajor> fk(const Config& q) {
   Eigen::Matrix<double, 2, 12, Eigen::RowMajor> placements;
   raw::fk<double>(q.data(), placements.data());
@@ -108,6 +108,330 @@ inline void rnea_derivatives(const Config& q, const Tangent& v, const Tangent& a
     for (int k = 0; k < sparsity::rnea_derivatives_M_nnz; ++k) {
       (*out.M)(sparsity::rnea_derivatives_M_row[k], sparsity::rnea_derivatives_M_col[k]) = M[k];
       (*out.M)(sparsity::rnea_derivatives_M_col[k], sparsity::rnea_derivatives_M_row[k]) = M[k];
+    }
+  }
+}
+
+/// Outputs of aba_derivatives; those left null are not wanted.
+struct AbaDerivatives {
+  Matrix* dqdd_dq = nullptr;
+  Matrix* dqdd_dv = nullptr;
+  Matrix* Minv = nullptr;
+};
+/// First derivatives of forward dynamics with respect to q, v and tau.
+inline void aba_derivatives(const Config& q, const Tangent& v, const Tangent& tau, const AbaDerivatives& out) {
+  double dqdd_dq[4];
+  double dqdd_dv[4];
+  double Minv[3];
+  raw::aba_derivatives<double>(q.data(), v.data(), tau.data(), dqdd_dq, dqdd_dv, Minv);
+  if (out.dqdd_dq) {
+    out.dqdd_dq->setZero(2, 2);
+    for (int k = 0; k < sparsity::aba_derivatives_dqdd_dq_nnz; ++k) {
+      (*out.dqdd_dq)(sparsity::aba_derivatives_dqdd_dq_row[k], sparsity::aba_derivatives_dqdd_dq_col[k]) = dqdd_dq[k];
+    }
+  }
+  if (out.dqdd_dv) {
+    out.dqdd_dv->setZero(2, 2);
+    for (int k = 0; k < sparsity::aba_derivatives_dqdd_dv_nnz; ++k) {
+      (*out.dqdd_dv)(sparsity::aba_derivatives_dqdd_dv_row[k], sparsity::aba_derivatives_dqdd_dv_col[k]) = dqdd_dv[k];
+    }
+  }
+  if (out.Minv) {
+    out.Minv->setZero(2, 2);
+    for (int k = 0; k < sparsity::aba_derivatives_Minv_nnz; ++k) {
+      (*out.Minv)(sparsity::aba_derivatives_Minv_row[k], sparsity::aba_derivatives_Minv_col[k]) = Minv[k];
+      (*out.Minv)(sparsity::aba_derivatives_Minv_col[k], sparsity::aba_derivatives_Minv_row[k]) = Minv[k];
+    }
+  }
+}
+
+/// Outputs of rnea_hessian; those left null are not wanted.
+struct RneaHessian {
+  Matrix* H_qq = nullptr;
+  Matrix* H_qv = nullptr;
+  Matrix* H_vv = nullptr;
+  Matrix* H_qa = nullptr;
+};
+/// Second derivatives of lambda^T tau with respect to q, v and a.
+inline void rnea_hessian(const Config& q, const Tangent& v, const Tangent& a, const Tangent& lambda, const RneaHessian& out) {
+  double H_qq[3];
+  double H_qv[2];
+  double H_vv[3];
+  double H_qa[2];
+  raw::rnea_hessian<double>(q.data(), v.data(), a.data(), lambda.data(), H_qq, H_qv, H_vv, H_qa);
+  if (out.H_qq) {
+    out.H_qq->setZero(2, 2);
+    for (int k = 0; k < sparsity::rnea_hessian_H_qq_nnz; ++k) {
+      (*out.H_qq)(sparsity::rnea_hessian_H_qq_row[k], sparsity::rnea_hessian_H_qq_col[k]) = H_qq[k];
+      (*out.H_qq)(sparsity::rnea_hessian_H_qq_col[k], sparsity::rnea_hessian_H_qq_row[k]) = H_qq[k];
+    }
+  }
+  if (out.H_qv) {
+    out.H_qv->setZero(2, 2);
+    for (int k = 0; k < sparsity::rnea_hessian_H_qv_nnz; ++k) {
+      (*out.H_qv)(sparsity::rnea_hessian_H_qv_row[k], sparsity::rnea_hessian_H_qv_col[k]) = H_qv[k];
+    }
+  }
+  if (out.H_vv) {
+    out.H_vv->setZero(2, 2);
+    for (int k = 0; k < sparsity::rnea_hessian_H_vv_nnz; ++k) {
+      (*out.H_vv)(sparsity::rnea_hessian_H_vv_row[k], sparsity::rnea_hessian_H_vv_col[k]) = H_vv[k];
+      (*out.H_vv)(sparsity::rnea_hessian_H_vv_col[k], sparsity::rnea_hessian_H_vv_row[k]) = H_vv[k];
+    }
+  }
+  if (out.H_qa) {
+    out.H_qa->setZero(2, 2);
+    for (int k = 0; k < sparsity::rnea_hessian_H_qa_nnz; ++k) {
+      (*out.H_qa)(sparsity::rnea_hessian_H_qa_row[k], sparsity::rnea_hessian_H_qa_col[k]) = H_qa[k];
+    }
+  }
+}
+
+/// Velocities of the reported frames.
+inline Eigen::Matrix<double, 2, 6, Eigen::RowMajor> frame_velocity(const Config& q, const Tangent& v) {
+  Eigen::Matrix<double, 2, 6, Eigen::RowMajor> velocity;
+  raw::frame_velocity<double>(q.data(), v.data(), velocity.data());
+  return velocity;
+}
+
+/// Accelerations of the reported frames: time derivatives of their velocities, J a + dJ v.
+inline Eigen::Matrix<double, 2, 6, Eigen::RowMajor> frame_acceleration(const Config& q, const Tangent& v, const Tangent& a) {
+  Eigen::Matrix<double, 2, 6, Eigen::RowMajor> acceleration;
+  raw::frame_acceleration<double>(q.data(), v.data(), a.data(), acceleration.data());
+  return acceleration;
+}
+
+/// Jacobians of the reported frames: velocity = J v.
+inline Eigen::Matrix<double, 12, 2, Eigen::RowMajor> frame_jacobian(const Config& q) {
+  double entries[5];
+  raw::frame_jacobian<double>(q.data(), entries);
+  Eigen::Matrix<double, 12, 2, Eigen::RowMajor> J = Eigen::Matrix<double, 12, 2, Eigen::RowMajor>::Zero(12, 2);
+  for (int k = 0; k < sparsity::frame_jacobian_J_nnz; ++k) {
+    J(sparsity::frame_jacobian_J_row[k], sparsity::frame_jacobian_J_col[k]) = entries[k];
+  }
+  return J;
+}
+
+/// Time derivatives of the Jacobians of the reported frames.
+inline Eigen::Matrix<double, 12, 2, Eigen::RowMajor> frame_jacobian_dot(const Config& q, const Tangent& v) {
+  double entries[2];
+  raw::frame_jacobian_dot<double>(q.data(), v.data(), entries);
+  Eigen::Matrix<double, 12, 2, Eigen::RowMajor> dJ = Eigen::Matrix<double, 12, 2, Eigen::RowMajor>::Zero(12, 2);
+  for (int k = 0; k < sparsity::frame_jacobian_dot_dJ_nnz; ++k) {
+    dJ(sparsity::frame_jacobian_dot_dJ_row[k], sparsity::frame_jacobian_dot_dJ_col[k]) = entries[k];
+  }
+  return dJ;
+}
+
+/// Outputs of frame_velocity_derivatives; those left null are not wanted.
+struct FrameVelocityDerivatives {
+  Eigen::Matrix<double, 12, 2, Eigen::RowMajor>* dvelocity_dq = nullptr;
+  Eigen::Matrix<double, 12, 2, Eigen::RowMajor>* dvelocity_dv = nullptr;
+};
+/// First derivatives of the velocities of the reported frames.
+inline void frame_velocity_derivatives(const Config& q, const Tangent& v, const FrameVelocityDerivatives& out) {
+  double dvelocity_dq[2];
+  double dvelocity_dv[5];
+  raw::frame_velocity_derivatives<double>(q.data(), v.data(), dvelocity_dq, dvelocity_dv);
+  if (out.dvelocity_dq) {
+    out.dvelocity_dq->setZero(12, 2);
+    for (int k = 0; k < sparsity::frame_velocity_derivatives_dvelocity_dq_nnz; ++k) {
+      (*out.dvelocity_dq)(sparsity::frame_velocity_derivatives_dvelocity_dq_row[k], sparsity::frame_velocity_derivatives_dvelocity_dq_col[k]) = dvelocity_dq[k];
+    }
+  }
+  if (out.dvelocity_dv) {
+    out.dvelocity_dv->setZero(12, 2);
+    for (int k = 0; k < sparsity::frame_velocity_derivatives_dvelocity_dv_nnz; ++k) {
+      (*out.dvelocity_dv)(sparsity::frame_velocity_derivatives_dvelocity_dv_row[k], sparsity::frame_velocity_derivatives_dvelocity_dv_col[k]) = dvelocity_dv[k];
+    }
+  }
+}
+
+/// Outputs of frame_acceleration_derivatives; those left null are not wanted.
+struct FrameAccelerationDerivatives {
+  Eigen::Matrix<double, 12, 2, Eigen::RowMajor>* dacceleration_dq = nullptr;
+  Eigen::Matrix<double, 12, 2, Eigen::RowMajor>* dacceleration_dv = nullptr;
+  Eigen::Matrix<double, 12, 2, Eigen::RowMajor>* dacceleration_da = nullptr;
+};
+/// First derivatives of the accelerations of the reported frames.
+inline void frame_acceleration_derivatives(const Config& q, const Tangent& v, const Tangent& a, const FrameAccelerationDerivatives& out) {
+  double dacceleration_dq[2];
+  double dacceleration_dv[4];
+  double dacceleration_da[5];
+  raw::frame_acceleration_derivatives<double>(q.data(), v.data(), a.data(), dacceleration_dq, dacceleration_dv, dacceleration_da);
+  if (out.dacceleration_dq) {
+    out.dacceleration_dq->setZero(12, 2);
+    for (int k = 0; k < sparsity::frame_acceleration_derivatives_dacceleration_dq_nnz; ++k) {
+      (*out.dacceleration_dq)(sparsity::frame_acceleration_derivatives_dacceleration_dq_row[k], sparsity::frame_acceleration_derivatives_dacceleration_dq_col[k]) = dacceleration_dq[k];
+    }
+  }
+  if (out.dacceleration_dv) {
+    out.dacceleration_dv->setZero(12, 2);
+    for (int k = 0; k < sparsity::frame_acceleration_derivatives_dacceleration_dv_nnz; ++k) {
+      (*out.dacceleration_dv)(sparsity::frame_acceleration_derivatives_dacceleration_dv_row[k], sparsity::frame_acceleration_derivatives_dacceleration_dv_col[k]) = dacceleration_dv[k];
+    }
+  }
+  if (out.dacceleration_da) {
+    out.dacceleration_da->setZero(12, 2);
+    for (int k = 0; k < sparsity::frame_acceleration_derivatives_dacceleration_da_nnz; ++k) {
+      (*out.dacceleration_da)(sparsity::frame_acceleration_derivatives_dacceleration_da_row[k], sparsity::frame_acceleration_derivatives_dacceleration_da_col[k]) = dacceleration_da[k];
+    }
+  }
+}
+
+/// Motion subspaces of all coordinates at the world's origin, along its axes.
+inline Eigen::Matrix<double, 6, 2, Eigen::RowMajor> joint_jacobians(const Config& q) {
+  double entries[4];
+  raw::joint_jacobians<double>(q.data(), entries);
+  Eigen::Matrix<double, 6, 2, Eigen::RowMajor> J_world = Eigen::Matrix<double, 6, 2, Eigen::RowMajor>::Zero(6, 2);
+  for (int k = 0; k < sparsity::joint_jacobians_J_world_nnz; ++k) {
+    J_world(sparsity::joint_jacobians_J_world_row[k], sparsity::joint_jacobians_J_world_col[k]) = entries[k];
+  }
+  return J_world;
+}
+
+/// Outputs of com; those left null are not wanted.
+struct Com {
+  Eigen::Matrix<double, 3, 1, Eigen::RowMajor>* c = nullptr;
+  Eigen::Matrix<double, 3, 1, Eigen::RowMajor>* vc = nullptr;
+};
+/// Centre of mass of the moving links, and its velocity.
+inline void com(const Config& q, const Tangent& v, const Com& out) {
+  double c[3];
+  double vc[3];
+  raw::com<double>(q.data(), v.data(), c, vc);
+  if (out.c) {
+    *out.c = Eigen::Map<const Eigen::Matrix<double, 3, 1, Eigen::RowMajor>>(c);
+  }
+  if (out.vc) {
+    *out.vc = Eigen::Map<const Eigen::Matrix<double, 3, 1, Eigen::RowMajor>>(vc);
+  }
+}
+
+/// Jacobian of the centre of mass: vc = Jc v.
+inline Eigen::Matrix<double, 3, 2, Eigen::RowMajor> com_jacobian(const Config& q) {
+  double entries[4];
+  raw::com_jacobian<double>(q.data(), entries);
+  Eigen::Matrix<double, 3, 2, Eigen::RowMajor> Jc = Eigen::Matrix<double, 3, 2, Eigen::RowMajor>::Zero(3, 2);
+  for (int k = 0; k < sparsity::com_jacobian_Jc_nnz; ++k) {
+    Jc(sparsity::com_jacobian_Jc_row[k], sparsity::com_jacobian_Jc_col[k]) = entries[k];
+  }
+  return Jc;
+}
+
+/// Outputs of centroidal; those left null are not wanted.
+struct Centroidal {
+  Eigen::Matrix<double, 6, 1, Eigen::RowMajor>* h = nullptr;
+  Eigen::Matrix<double, 6, 2, Eigen::RowMajor>* A_G = nullptr;
+  Eigen::Matrix<double, 6, 1, Eigen::RowMajor>* dh = nullptr;
+};
+/// Momentum about the centre of mass, its matrix, h = A_G v, and its rate.
+inline void centroidal(const Config& q, const Tangent& v, const Tangent& a, const Centroidal& out) {
+  double h[6];
+  double A_G[6];
+  double dh[6];
+  raw::centroidal<double>(q.data(), v.data(), a.data(), h, A_G, dh);
+  if (out.h) {
+    *out.h = Eigen::Map<const Eigen::Matrix<double, 6, 1, Eigen::RowMajor>>(h);
+  }
+  if (out.A_G) {
+    out.A_G->setZero(6, 2);
+    for (int k = 0; k < sparsity::centroidal_A_G_nnz; ++k) {
+      (*out.A_G)(sparsity::centroidal_A_G_row[k], sparsity::centroidal_A_G_col[k]) = A_G[k];
+    }
+  }
+  if (out.dh) {
+    *out.dh = Eigen::Map<const Eigen::Matrix<double, 6, 1, Eigen::RowMajor>>(dh);
+  }
+}
+
+/// Outputs of energy; those left null are not wanted.
+struct Energy {
+  Eigen::Matrix<double, 1, 1, Eigen::RowMajor>* T = nullptr;
+  Eigen::Matrix<double, 1, 1, Eigen::RowMajor>* V = nullptr;
+};
+/// Kinetic energy, and potential energy in the field of gravity.
+inline void energy(const Config& q, const Tangent& v, const Energy& out) {
+  double T[1];
+  double V[1];
+  raw::energy<double>(q.data(), v.data(), T, V);
+  if (out.T) {
+    *out.T = Eigen::Map<const Eigen::Matrix<double, 1, 1, Eigen::RowMajor>>(T);
+  }
+  if (out.V) {
+    *out.V = Eigen::Map<const Eigen::Matrix<double, 1, 1, Eigen::RowMajor>>(V);
+  }
+}
+
+/// Regressor of inverse dynamics: tau = Y pi, pi ten inertial parameters a moving link.
+inline Eigen::Matrix<double, 2, 20, Eigen::RowMajor> regressor(const Config& q, const Tangent& v, const Tangent& a) {
+  double entries[10];
+  raw::regressor<double>(q.data(), v.data(), a.data(), entries);
+  Eigen::Matrix<double, 2, 20, Eigen::RowMajor> Y = Eigen::Matrix<double, 2, 20, Eigen::RowMajor>::Zero(2, 20);
+  for (int k = 0; k < sparsity::regressor_Y_nnz; ++k) {
+    Y(sparsity::regressor_Y_row[k], sparsity::regressor_Y_col[k]) = entries[k];
+  }
+  return Y;
+}
+
+/// Moves a configuration: q (+) v.
+inline Tangent integrate(const Config& q, const Tangent& v) {
+  Tangent q_next;
+  raw::integrate<double>(q.data(), v.data(), q_next.data());
+  return q_next;
+}
+
+/// What moves q to q1: q (+) d = q1.
+inline Tangent difference(const Config& q, const Tangent& q1) {
+  Tangent d;
+  raw::difference<double>(q.data(), q1.data(), d.data());
+  return d;
+}
+
+/// Outputs of integrate_derivatives; those left null are not wanted.
+struct IntegrateDerivatives {
+  Matrix* dq_next_dq = nullptr;
+  Matrix* dq_next_dv = nullptr;
+};
+/// First derivatives of q (+) v in the tangent spaces.
+inline void integrate_derivatives(const Config& q, const Tangent& v, const IntegrateDerivatives& out) {
+  double dq_next_dq[2];
+  double dq_next_dv[2];
+  raw::integrate_derivatives<double>(q.data(), v.data(), dq_next_dq, dq_next_dv);
+  if (out.dq_next_dq) {
+    out.dq_next_dq->setZero(2, 2);
+    for (int k = 0; k < sparsity::integrate_derivatives_dq_next_dq_nnz; ++k) {
+      (*out.dq_next_dq)(sparsity::integrate_derivatives_dq_next_dq_row[k], sparsity::integrate_derivatives_dq_next_dq_col[k]) = dq_next_dq[k];
+    }
+  }
+  if (out.dq_next_dv) {
+    out.dq_next_dv->setZero(2, 2);
+    for (int k = 0; k < sparsity::integrate_derivatives_dq_next_dv_nnz; ++k) {
+      (*out.dq_next_dv)(sparsity::integrate_derivatives_dq_next_dv_row[k], sparsity::integrate_derivatives_dq_next_dv_col[k]) = dq_next_dv[k];
+    }
+  }
+}
+
+/// Outputs of difference_derivatives; those left null are not wanted.
+struct DifferenceDerivatives {
+  Matrix* dd_dq = nullptr;
+  Matrix* dd_dq1 = nullptr;
+};
+/// First derivatives of difference in the tangent spaces.
+inline void difference_derivatives(const Config& q, const Tangent& q1, const DifferenceDerivatives& out) {
+  double dd_dq[2];
+  double dd_dq1[2];
+  raw::difference_derivatives<double>(q.data(), q1.data(), dd_dq, dd_dq1);
+  if (out.dd_dq) {
+    out.dd_dq->setZero(2, 2);
+    for (int k = 0; k < sparsity::difference_derivatives_dd_dq_nnz; ++k) {
+      (*out.dd_dq)(sparsity::difference_derivatives_dd_dq_row[k], sparsity::difference_derivatives_dd_dq_col[k]) = dd_dq[k];
+    }
+  }
+  if (out.dd_dq1) {
+    out.dd_dq1->setZero(2, 2);
+    for (int k = 0; k < sparsity::difference_derivatives_dd_dq1_nnz; ++k) {
+      (*out.dd_dq1)(sparsity::difference_derivatives_dd_dq1_row[k], sparsity::difference_derivatives_dd_dq1_col[k]) = dd_dq1[k];
     }
   }
 }

@@ -53,7 +53,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau
 /// in  v: 2 entries; rad/s, m/s; velocity; floating joints linear, angular in the body frame
 /// in  tau: 2 entries; N m, N; joint forces; floating joints force, moment in the body frame
 /// out qdd: 2 entries; rad/s^2, m/s^2; time derivative of v
-/// Returns 0, or 1 + the index of the first pivot that is not positive; then qdd is nan.
+/// Returns 0, or 1 + the index of the first pivot that is not positive; then all is nan.
 /// 8 mul, 1 add, 11 fma, 1 div, 0 sqrt, 2 sincos.
 template <class T>
 int aba(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau, T* ARBOC_RESTRICT qdd) noexcept {

@@ -32,7 +32,7 @@ ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT placements, T* ARBOC_RESTRICT w) noe
 
 }  // namespace fk_parts
 
-/// Forward kinematics: where each moving link's frame is in the world.
+/// Forward kinematics: where the reported links' frames are in the world.
 /// in  q: 2 entries; rad, m; configuration; quaternions x y z w of length 1
 /// out placements: 24 entries; 1, m; one row a frame: rotation matrix (world from link, by rows), then origin in the world
 /// 2 mul, 0 add, 2 fma, 0 div, 0 sqrt, 2 sincos.

@@ -42,7 +42,7 @@ ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT Minv, T* ARBOC_RESTRICT pivot, T* AR
 /// Inverse of the joint-space inertia matrix.
 /// in  q: 2 entries; rad, m; configuration; quaternions x y z w of length 1
 /// out Minv: 3 structural non-zeros of 2 x 2 by columns, upper triangle; 1/(kg m^2), 1/(kg m), 1/kg; inverse of M
-/// Returns 0, or 1 + the index of the first pivot that is not positive; then Minv is nan.
+/// Returns 0, or 1 + the index of the first pivot that is not positive; then all is nan.
 /// 2 mul, 0 add, 4 fma, 1 div, 0 sqrt, 1 sincos.
 template <class T>
 int minv(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT Minv) noexcept {

@@ -62,11 +62,121 @@ inline constexpr int rnea_derivatives_M_row[3] = {
     0, 0, 1};
 inline constexpr int rnea_derivatives_M_col[3] = {
     0, 1, 1};
+inline constexpr int aba_derivatives_dqdd_dq_nnz = 4;
+inline constexpr int aba_derivatives_dqdd_dq_row[4] = {
+    0, 1, 0, 1};
+inline constexpr int aba_derivatives_dqdd_dq_col[4] = {
+    0, 0, 1, 1};
+inline constexpr int aba_derivatives_dqdd_dv_nnz = 4;
+inline constexpr int aba_derivatives_dqdd_dv_row[4] = {
+    0, 1, 0, 1};
+inline constexpr int aba_derivatives_dqdd_dv_col[4] = {
+    0, 0, 1, 1};
+inline constexpr int aba_derivatives_Minv_nnz = 3;
+inline constexpr int aba_derivatives_Minv_row[3] = {
+    0, 0, 1};
+inline constexpr int aba_derivatives_Minv_col[3] = {
+    0, 1, 1};
+inline constexpr int rnea_hessian_H_qq_nnz = 3;
+inline constexpr int rnea_hessian_H_qq_row[3] = {
+    0, 0, 1};
+inline constexpr int rnea_hessian_H_qq_col[3] = {
+    0, 1, 1};
+inline constexpr int rnea_hessian_H_qv_nnz = 2;
+inline constexpr int rnea_hessian_H_qv_row[2] = {
+    1, 1};
+inline constexpr int rnea_hessian_H_qv_col[2] = {
+    0, 1};
+inline constexpr int rnea_hessian_H_vv_nnz = 3;
+inline constexpr int rnea_hessian_H_vv_row[3] = {
+    0, 0, 1};
+inline constexpr int rnea_hessian_H_vv_col[3] = {
+    0, 1, 1};
+inline constexpr int rnea_hessian_H_qa_nnz = 2;
+inline constexpr int rnea_hessian_H_qa_row[2] = {
+    1, 1};
+inline constexpr int rnea_hessian_H_qa_col[2] = {
+    0, 1};
+inline constexpr int frame_jacobian_J_nnz = 5;
+inline constexpr int frame_jacobian_J_row[5] = {
+    4, 6, 8, 10, 10};
+inline constexpr int frame_jacobian_J_col[5] = {
+    0, 0, 0, 0, 1};
+inline constexpr int frame_jacobian_dot_dJ_nnz = 2;
+inline constexpr int frame_jacobian_dot_dJ_row[2] = {
+    6, 8};
+inline constexpr int frame_jacobian_dot_dJ_col[2] = {
+    0, 0};
+inline constexpr int frame_velocity_derivatives_dvelocity_dq_nnz = 2;
+inline constexpr int frame_velocity_derivatives_dvelocity_dq_row[2] = {
+    6, 8};
+inline constexpr int frame_velocity_derivatives_dvelocity_dq_col[2] = {
+    1, 1};
+inline constexpr int frame_velocity_derivatives_dvelocity_dv_nnz = 5;
+inline constexpr int frame_velocity_derivatives_dvelocity_dv_row[5] = {
+    4, 6, 8, 10, 10};
+inline constexpr int frame_velocity_derivatives_dvelocity_dv_col[5] = {
+    0, 0, 0, 0, 1};
+inline constexpr int frame_acceleration_derivatives_dacceleration_dq_nnz = 2;
+inline constexpr int frame_acceleration_derivatives_dacceleration_dq_row[2] = {
+    6, 8};
+inline constexpr int frame_acceleration_derivatives_dacceleration_dq_col[2] = {
+    1, 1};
+inline constexpr int frame_acceleration_derivatives_dacceleration_dv_nnz = 4;
+inline constexpr int frame_acceleration_derivatives_dacceleration_dv_row[4] = {
+    6, 8, 6, 8};
+inline constexpr int frame_acceleration_derivatives_dacceleration_dv_col[4] = {
+    0, 0, 1, 1};
+inline constexpr int frame_acceleration_derivatives_dacceleration_da_nnz = 5;
+inline constexpr int frame_acceleration_derivatives_dacceleration_da_row[5] = {
+    4, 6, 8, 10, 10};
+inline constexpr int frame_acceleration_derivatives_dacceleration_da_col[5] = {
+    0, 0, 0, 0, 1};
+inline constexpr int joint_jacobians_J_world_nnz = 4;
+inline constexpr int joint_jacobians_J_world_row[4] = {
+    4, 0, 2, 4};
+inline constexpr int joint_jacobians_J_world_col[4] = {
+    0, 1, 1, 1};
+inline constexpr int com_jacobian_Jc_nnz = 4;
+inline constexpr int com_jacobian_Jc_row[4] = {
+    0, 2, 0, 2};
+inline constexpr int com_jacobian_Jc_col[4] = {
+    0, 0, 1, 1};
+inline constexpr int centroidal_A_G_nnz = 6;
+inline constexpr int centroidal_A_G_row[6] = {
+    0, 2, 4, 0, 2, 4};
+inline constexpr int centroidal_A_G_col[6] = {
+    0, 0, 0, 1, 1, 1};
+inline constexpr int regressor_Y_nnz = 10;
+inline constexpr int regressor_Y_row[10] = {
+    0, 0, 0, 0, 0, 1, 0, 1, 0, 1};
+inline constexpr int regressor_Y_col[10] = {
+    1, 3, 6, 10, 11, 11, 13, 13, 16, 16};
+inline constexpr int integrate_derivatives_dq_next_dq_nnz = 2;
+inline constexpr int integrate_derivatives_dq_next_dq_row[2] = {
+    0, 1};
+inline constexpr int integrate_derivatives_dq_next_dq_col[2] = {
+    0, 1};
+inline constexpr int integrate_derivatives_dq_next_dv_nnz = 2;
+inline constexpr int integrate_derivatives_dq_next_dv_row[2] = {
+    0, 1};
+inline constexpr int integrate_derivatives_dq_next_dv_col[2] = {
+    0, 1};
+inline constexpr int difference_derivatives_dd_dq_nnz = 2;
+inline constexpr int difference_derivatives_dd_dq_row[2] = {
+    0, 1};
+inline constexpr int difference_derivatives_dd_dq_col[2] = {
+    0, 1};
+inline constexpr int difference_derivatives_dd_dq1_nnz = 2;
+inline constexpr int difference_derivatives_dd_dq1_row[2] = {
+    0, 1};
+inline constexpr int difference_derivatives_dd_dq1_col[2] = {
+    0, 1};
 }  // namespace sparsity
 
 namespace raw {
 
-/// Forward kinematics: where each moving link's frame is in the world.
+/// Forward kinematics: where the reported links' frames are in the world.
 template <class T>
 void fk(const T* q, T* placements) noexcept;
 extern template void fk<double>(const double* q, double* placements) noexcept;
@@ -105,6 +215,96 @@ extern template int aba<double>(const double* q, const double* v, const double* 
 template <class T>
 void rnea_derivatives(const T* q, const T* v, const T* a, T* dtau_dq, T* dtau_dv, T* M) noexcept;
 extern template void rnea_derivatives<double>(const double* q, const double* v, const double* a, double* dtau_dq, double* dtau_dv, double* M) noexcept;
+
+/// First derivatives of forward dynamics with respect to q, v and tau.
+template <class T>
+int aba_derivatives(const T* q, const T* v, const T* tau, T* dqdd_dq, T* dqdd_dv, T* Minv) noexcept;
+extern template int aba_derivatives<double>(const double* q, const double* v, const double* tau, double* dqdd_dq, double* dqdd_dv, double* Minv) noexcept;
+
+/// Second derivatives of lambda^T tau with respect to q, v and a.
+template <class T>
+void rnea_hessian(const T* q, const T* v, const T* a, const T* lambda, T* H_qq, T* H_qv, T* H_vv, T* H_qa) noexcept;
+extern template void rnea_hessian<double>(const double* q, const double* v, const double* a, const double* lambda, double* H_qq, double* H_qv, double* H_vv, double* H_qa) noexcept;
+
+/// Velocities of the reported frames.
+template <class T>
+void frame_velocity(const T* q, const T* v, T* velocity) noexcept;
+extern template void frame_velocity<double>(const double* q, const double* v, double* velocity) noexcept;
+
+/// Accelerations of the reported frames: time derivatives of their velocities, J a + dJ v.
+template <class T>
+void frame_acceleration(const T* q, const T* v, const T* a, T* acceleration) noexcept;
+extern template void frame_acceleration<double>(const double* q, const double* v, const double* a, double* acceleration) noexcept;
+
+/// Jacobians of the reported frames: velocity = J v.
+template <class T>
+void frame_jacobian(const T* q, T* J) noexcept;
+extern template void frame_jacobian<double>(const double* q, double* J) noexcept;
+
+/// Time derivatives of the Jacobians of the reported frames.
+template <class T>
+void frame_jacobian_dot(const T* q, const T* v, T* dJ) noexcept;
+extern template void frame_jacobian_dot<double>(const double* q, const double* v, double* dJ) noexcept;
+
+/// First derivatives of the velocities of the reported frames.
+template <class T>
+void frame_velocity_derivatives(const T* q, const T* v, T* dvelocity_dq, T* dvelocity_dv) noexcept;
+extern template void frame_velocity_derivatives<double>(const double* q, const double* v, double* dvelocity_dq, double* dvelocity_dv) noexcept;
+
+/// First derivatives of the accelerations of the reported frames.
+template <class T>
+void frame_acceleration_derivatives(const T* q, const T* v, const T* a, T* dacceleration_dq, T* dacceleration_dv, T* dacceleration_da) noexcept;
+extern template void frame_acceleration_derivatives<double>(const double* q, const double* v, const double* a, double* dacceleration_dq, double* dacceleration_dv, double* dacceleration_da) noexcept;
+
+/// Motion subspaces of all coordinates at the world's origin, along its axes.
+template <class T>
+void joint_jacobians(const T* q, T* J_world) noexcept;
+extern template void joint_jacobians<double>(const double* q, double* J_world) noexcept;
+
+/// Centre of mass of the moving links, and its velocity.
+template <class T>
+void com(const T* q, const T* v, T* c, T* vc) noexcept;
+extern template void com<double>(const double* q, const double* v, double* c, double* vc) noexcept;
+
+/// Jacobian of the centre of mass: vc = Jc v.
+template <class T>
+void com_jacobian(const T* q, T* Jc) noexcept;
+extern template void com_jacobian<double>(const double* q, double* Jc) noexcept;
+
+/// Momentum about the centre of mass, its matrix, h = A_G v, and its rate.
+template <class T>
+void centroidal(const T* q, const T* v, const T* a, T* h, T* A_G, T* dh) noexcept;
+extern template void centroidal<double>(const double* q, const double* v, const double* a, double* h, double* A_G, double* dh) noexcept;
+
+/// Kinetic energy, and potential energy in the field of gravity.
+template <class T>
+void energy(const T* q, const T* v, T* T_, T* V) noexcept;
+extern template void energy<double>(const double* q, const double* v, double* T_, double* V) noexcept;
+
+/// Regressor of inverse dynamics: tau = Y pi, pi ten inertial parameters a moving link.
+template <class T>
+void regressor(const T* q, const T* v, const T* a, T* Y) noexcept;
+extern template void regressor<double>(const double* q, const double* v, const double* a, double* Y) noexcept;
+
+/// Moves a configuration: q (+) v.
+template <class T>
+void integrate(const T* q, const T* v, T* q_next) noexcept;
+extern template void integrate<double>(const double* q, const double* v, double* q_next) noexcept;
+
+/// What moves q to q1: q (+) d = q1.
+template <class T>
+void difference(const T* q, const T* q1, T* d) noexcept;
+extern template void difference<double>(const double* q, const double* q1, double* d) noexcept;
+
+/// First derivatives of q (+) v in the tangent spaces.
+template <class T>
+void integrate_derivatives(const T* q, const T* v, T* dq_next_dq, T* dq_next_dv) noexcept;
+extern template void integrate_derivatives<double>(const double* q, const double* v, double* dq_next_dq, double* dq_next_dv) noexcept;
+
+/// First derivatives of difference in the tangent spaces.
+template <class T>
+void difference_derivatives(const T* q, const T* q1, T* dd_dq, T* dd_dq1) noexcept;
+extern template void difference_derivatives<double>(const double* q, const double* q1, double* dd_dq, double* dd_dq1) noexcept;
 
 }  // namespace raw
 }  // namespace double_pendulum

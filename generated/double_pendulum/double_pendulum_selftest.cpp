@@ -15,107 +15,357 @@ constexpr int kStates = 4;
 
 const double a[kStates][2] = {
     {-0.5564078294422794, 3.7734868676417292},
-    {1.0542036897532912, -0.64034600175275},
     {3.843245635397899, -0.04120048410795629},
-    {2.1377080284326393, 0.9785217304558742},
+    {0.2975738848089895, 3.1803349838348396},
+    {-3.684150582882469, -1.0633784275309468},
 };
 const double aba_qdd[kStates][2] = {
     {-4.94697512681, -23.2693168045},
-    {11.6074684424, -149.794926031},
     {-21.3798734694, -163.556244708},
-    {2.95639477478, 14.8289485314},
+    {-13.7843176233, 145.835033834},
+    {-29.9168460485, -184.817679611},
+};
+const double aba_derivatives_Minv[kStates][4] = {
+    {1.00030496786, -1.08215588973, -1.08215588973, 21.1647061419},
+    {1.07679603947, 0.209311613483, 0.209311613483, 20.0346885683},
+    {1.63120978696, -6.16862443737, -6.16862443737, 43.3214289358},
+    {1.48582175478, 2.31337356505, 2.31337356505, 23.5958451796},
+};
+const double aba_derivatives_dqdd_dq[kStates][4] = {
+    {-10.8075822562, -4.18084753308, 22.8970967696, 0.606730647333},
+    {-5.91842360002, -29.3659238064, 27.3670580898, -35.3760226101},
+    {-11.8924103372, -11.5286137496, 29.7993495424, 41.1697670686},
+    {11.8013322889, -35.7276186997, 8.19625685828, -111.088090562},
+};
+const double aba_derivatives_dqdd_dv[kStates][4] = {
+    {0.926862398045, 0.880617208378, -12.2991728578, -0.952674563523},
+    {-0.537999001358, -0.280766173239, -4.10355423685, -0.0545763715483},
+    {0.501135539105, -0.00110391160819, -4.10821222181, 0.00417458022717},
+    {0.697609405074, 0.225521232482, 3.57060945919, 0.351128832178},
+};
+const double centroidal_A_G[kStates][12] = {
+    {-1.03955179148, 0.0571281100419, 0.0, 0.0, 0.625822766181, 0.138695274047, 0.0, 0.0, 
+     0.240273350512, 0.0388791752562, 0.0, 0.0},
+    {-0.588540008395, 0.145392754851, 0.0, 0.0, 0.986281711791, 0.0368910129556, 0.0, 0.0, 
+     0.197720265693, 0.0176026328464, 0.0, 0.0},
+    {-1.035717866, -0.0773590417177, 0.0, 0.0, -0.850696005645, -0.128512951349, 0.0, 0.0, 
+     0.330293664439, 0.0838893322196, 0.0, 0.0},
+    {0.890439193454, -0.0518912669869, 0.0, 0.0, 0.602237580551, -0.140738397072, 0.0, 0.0, 
+     0.152287239074, -0.00511388046293, 0.0, 0.0},
+};
+const double centroidal_dh[kStates][6] = {
+    {3.71827627949, 0.0, 3.57550288965, 0.0, -0.240294722075, 0.0},
+    {-1.73324150463, 0.0, 4.04618235577, 0.0, 0.742214231319, 0.0},
+    {-1.25763128829, 0.0, 0.271571968906, 0.0, 0.346877083515, 0.0},
+    {-2.89052127268, 0.0, -2.61238866937, 0.0, -0.563687475341, 0.0},
+};
+const double centroidal_h[kStates][6] = {
+    {-1.89845238614, 0.0, 1.32490582344, 0.0, 0.493562107368, 0.0},
+    {-0.671199692614, 0.0, 0.655081019058, 0.0, 0.114234205816, 0.0},
+    {0.945344647306, 0.0, 0.711952372117, 0.0, -0.242672080818, 0.0},
+    {-0.797104481934, 0.0, -0.72511587524, 0.0, -0.129703030149, 0.0},
+};
+const double com_c[kStates][3] = {
+    {-0.347679314545, 0.0, -0.577528773046},
+    {-0.547934284328, 0.0, -0.32696667133},
+    {0.472608892025, 0.0, -0.575398814447},
+    {-0.334576433639, 0.0, 0.494688440808},
+};
+const double com_vc[kStates][3] = {
+    {-1.05469577008, 0.0, 0.7360587908},
+    {-0.372888718119, 0.0, 0.363933899477},
+    {0.525191470726, 0.0, 0.395529095621},
+    {-0.442835823297, 0.0, -0.402842152911},
+};
+const double com_jacobian_Jc[kStates][6] = {
+    {-0.577528773046, 0.0317378389122, 0.0, 0.0, 0.347679314545, 0.0770529300262},
+    {-0.32696667133, 0.0807737526949, 0.0, 0.0, 0.547934284328, 0.0204950071975},
+    {-0.575398814447, -0.0429772453987, 0.0, 0.0, -0.472608892025, -0.071396084083},
+    {0.494688440808, -0.0288284816594, 0.0, 0.0, 0.334576433639, -0.0781879983735},
 };
 const double crba_M[kStates][4] = {
     {1.05823005154, 0.0541075257686, 0.0541075257686, 0.050015},
-    {0.968435884956, 0.00921044247801, 0.00921044247801, 0.050015},
     {0.930570797078, -0.00972210146079, -0.00972210146079, 0.050015},
-    {0.763658732475, -0.0931781337626, -0.0931781337626, 0.050015},
+    {1.32829099332, 0.189137996659, 0.189137996659, 0.050015},
+    {0.794271717222, -0.0778716413888, -0.0778716413888, 0.050015},
+};
+const double difference_d[kStates][2] = {
+    {-1.76501215407, 0.30278924795},
+    {-2.25089823229, -4.81958223529},
+    {2.9180586958, 1.69052903075},
+    {-1.80166477396, -4.75529552056},
+};
+const double difference_derivatives_dd_dq[kStates][4] = {
+    {-1.0, 0.0, 0.0, -1.0},
+    {-1.0, 0.0, 0.0, -1.0},
+    {-1.0, 0.0, 0.0, -1.0},
+    {-1.0, 0.0, 0.0, -1.0},
+};
+const double difference_derivatives_dd_dq1[kStates][4] = {
+    {1.0, 0.0, 0.0, 1.0},
+    {1.0, 0.0, 0.0, 1.0},
+    {1.0, 0.0, 0.0, 1.0},
+    {1.0, 0.0, 0.0, 1.0},
+};
+const double energy_T[kStates][1] = {
+    {2.01294308964},
+    {0.327732756495},
+    {0.486180173129},
+    {0.435663853614},
+};
+const double energy_V[kStates][1] = {
+    {-10.1980030744},
+    {-5.77357748235},
+    {-10.1603922655},
+    {8.73520848779},
 };
 const double fk_placements[kStates][24] = {
     {0.913899917937, 0.0, 0.405939576778, 0.0, 1.0, 0.0, -0.405939576778, 0.0, 0.913899917937, 0.0, 
      0.0, 0.0, -0.380854066946, 0.0, 0.924635160315, 0.0, 1.0, 0.0, -0.924635160315, 0.0, 
      -0.380854066946, -0.405939576778, 0.0, -0.913899917937},
-    {0.221927541467, 0.0, -0.975063160179, 0.0, 1.0, 0.0, 0.975063160179, 0.0, 0.221927541467, 0.0, 
-     0.0, 0.0, 0.877921190299, 0.0, 0.478805162487, 0.0, 1.0, 0.0, -0.478805162487, 0.0, 
-     0.877921190299, 0.975063160179, 0.0, -0.221927541467},
     {0.611610636038, 0.0, 0.791158915696, 0.0, 1.0, 0.0, -0.791158915696, 0.0, 0.611610636038, 0.0, 
      0.0, 0.0, -0.969285032339, 0.0, 0.24594008637, 0.0, 1.0, 0.0, -0.24594008637, 0.0, 
      -0.969285032339, -0.791158915696, 0.0, -0.611610636038},
-    {0.230507927661, 0.0, -0.973070447237, 0.0, 1.0, 0.0, 0.973070447237, 0.0, 0.230507927661, 0.0, 
-     0.0, 0.0, -0.509851119109, 0.0, 0.860262655439, 0.0, 1.0, 0.0, -0.860262655439, 0.0, 
-     -0.509851119109, 0.973070447237, 0.0, -0.230507927661},
+    {0.798632353572, 0.0, -0.601819211913, 0.0, 1.0, 0.0, 0.601819211913, 0.0, 0.798632353572, 0.0, 
+     0.0, 0.0, 0.515726944785, 0.0, -0.856753008995, 0.0, 1.0, 0.0, 0.856753008995, 0.0, 
+     0.515726944785, 0.601819211913, 0.0, -0.798632353572},
+    {-0.785275383701, 0.0, 0.619146648019, 0.0, 1.0, 0.0, -0.619146648019, 0.0, -0.785275383701, 
+     0.0, 0.0, 0.0, 0.345941779913, 0.0, -0.938255980482, 0.0, 1.0, 0.0, 0.938255980482, 0.0, 
+     0.345941779913, -0.619146648019, 0.0, 0.785275383701},
+};
+const double frame_acceleration_acceleration[kStates][12] = {
+    {0.0, 0.0, 0.0, 0.0, -0.556407829442, 0.0, 1.99562695215, 0.0, 0.5021470626, 0.0, 3.2170790382, 
+     0.0},
+    {0.0, 0.0, 0.0, 0.0, 3.8432456354, 0.0, 0.414285747474, 0.0, -4.0099698948, 0.0, 3.80204515129, 
+     0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.297573884809, 0.0, 0.0903613541066, 0.0, 1.02013218879, 0.0, 
+     3.47790886864, 0.0},
+    {0.0, 0.0, 0.0, 0.0, -3.68415058288, 0.0, -3.87030469309, 0.0, 0.735581699054, 0.0, 
+     -4.74752901041, 0.0},
+};
+const double frame_acceleration_derivatives_dacceleration_da[kStates][24] = {
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -0.0272835051243, 0.0, 0.0, 0.0, 
+     -0.999627735884, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.398247343072, 0.0, 0.0, 0.0, 
+     -0.917278067838, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -0.927486644392, 0.0, 0.0, 0.0, 
+     0.373856288531, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.852577609259, 0.0, 0.0, 0.0, 
+     -0.52260063164, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+};
+const double frame_acceleration_derivatives_dacceleration_dq[kStates][24] = {
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.5021470626, 0.0, 0.0, 0.0, 
+     1.99562695215, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 4.0099698948, 0.0, 0.0, 0.0, 
+     0.414285747474, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.02013218879, 0.0, 0.0, 
+     0.0, 0.090361354107, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.735581699054, 0.0, 0.0, 
+     0.0, -3.87030469309, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+};
+const double frame_acceleration_derivatives_dacceleration_dv[kStates][24] = {
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.05118610305, 1.88330966465, 0.0, 
+     0.0, -0.028690721955, -0.051402424164, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.5358366296, 0.666695947596, 
+     0.0, 0.0, -0.666802007568, 0.289454091487, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.371217354862, 0.368961541177, 
+     0.0, 0.0, -0.920939808593, 0.915343441408, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.920140669243, -0.414200142267, 
+     0.0, 0.0, 1.50112970492, -0.675731611614, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+};
+const double frame_jacobian_J[kStates][24] = {
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -0.0272835051243, 0.0, 0.0, 0.0, 
+     -0.999627735884, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.398247343072, 0.0, 0.0, 0.0, 
+     -0.917278067838, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -0.927486644392, 0.0, 0.0, 0.0, 
+     0.373856288531, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.852577609259, 0.0, 0.0, 0.0, 
+     -0.52260063164, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+};
+const double frame_jacobian_dot_dJ[kStates][24] = {
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.05118610305, 0.0, 0.0, 0.0, 
+     -0.0286907219555, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.5358366296, 0.0, 0.0, 0.0, 
+     -0.666802007568, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.371217354862, 0.0, 0.0, 0.0, 
+     -0.920939808593, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.920140669243, 0.0, 0.0, 0.0, 
+     1.50112970492, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+};
+const double frame_velocity_velocity[kStates][12] = {
+    {0.0, 0.0, 0.0, 0.0, 1.88401101435, 0.0, -0.0514024241641, 0.0, -1.88330966465, 0.0, 
+     2.93558858199, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.726819893522, 0.0, 0.289454091487, 0.0, -0.666695947596, 0.0, 
+     -0.947521490464, 0.0},
+    {0.0, 0.0, 0.0, 0.0, -0.986907409333, 0.0, 0.915343441408, 0.0, -0.368961541177, 0.0, 
+     0.00603390595338, 0.0},
+    {0.0, 0.0, 0.0, 0.0, -0.792574897904, 0.0, -0.675731611614, 0.0, 0.414200142267, 0.0, 
+     0.968120772048, 0.0},
+};
+const double frame_velocity_derivatives_dvelocity_dq[kStates][24] = {
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.88330966465, 0.0, 0.0, 0.0, 
+     -0.051402424164, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.666695947596, 0.0, 0.0, 
+     0.0, 0.289454091487, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.368961541177, 0.0, 0.0, 
+     0.0, 0.915343441408, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.414200142267, 0.0, 0.0, 
+     0.0, -0.675731611614, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+};
+const double frame_velocity_derivatives_dvelocity_dv[kStates][24] = {
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -0.0272835051243, 0.0, 0.0, 0.0, 
+     -0.999627735884, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.398247343072, 0.0, 0.0, 0.0, 
+     -0.917278067838, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -0.927486644392, 0.0, 0.0, 0.0, 
+     0.373856288531, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.852577609259, 0.0, 0.0, 0.0, 
+     -0.52260063164, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
 };
 const double gravity_g[kStates][2] = {
     {6.13932133623, 1.3606006384},
-    {-10.773881725, 0.7045617966},
     {9.67542359267, 0.361900837094},
-    {-10.1891088074, 1.26587649748},
+    {-8.34532781538, -1.26071205274},
+    {5.9079506652, -1.38064367528},
+};
+const double integrate_q_next[kStates][2] = {
+    {2.30201770643, 2.59508700326},
+    {1.6395214341, 0.306060279566},
+    {-1.63268447748, 0.609777977576},
+    {1.68136221, 4.35238989786},
+};
+const double integrate_derivatives_dq_next_dq[kStates][4] = {
+    {1.0, 0.0, 0.0, 1.0},
+    {1.0, 0.0, 0.0, 1.0},
+    {1.0, 0.0, 0.0, 1.0},
+    {1.0, 0.0, 0.0, 1.0},
+};
+const double integrate_derivatives_dq_next_dv[kStates][4] = {
+    {1.0, 0.0, 0.0, 1.0},
+    {1.0, 0.0, 0.0, 1.0},
+    {1.0, 0.0, 0.0, 1.0},
+    {1.0, 0.0, 0.0, 1.0},
+};
+const double joint_jacobians_J_world[kStates][12] = {
+    {0.0, 0.913899917937, 0.0, 0.0, 0.0, -0.405939576778, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+    {0.0, 0.611610636038, 0.0, 0.0, 0.0, -0.791158915696, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+    {0.0, 0.798632353572, 0.0, 0.0, 0.0, 0.601819211913, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+    {0.0, -0.785275383701, 0.0, 0.0, 0.0, -0.619146648019, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
 };
 const double minv_Minv[kStates][4] = {
     {1.00030496786, -1.08215588973, -1.08215588973, 21.1647061419},
-    {1.03440455537, -0.190489326327, -0.190489326327, 20.0290810953},
     {1.07679603947, 0.209311613483, 0.209311613483, 20.0346885683},
-    {1.69472131605, 3.15727220788, 3.15727220788, 25.8760118387},
+    {1.63120978696, -6.16862443737, -6.16862443737, 43.3214289358},
+    {1.48582175478, 2.31337356505, 2.31337356505, 23.5958451796},
 };
 const double nle_nle[kStates][2] = {
     {5.37937691854, 1.89282706115},
-    {-10.762653274, 0.725783087866},
     {9.62457935315, 0.434586018741},
-    {-10.0009774231, 1.26570433119},
+    {-8.39994540549, -1.31533168455},
+    {5.88372163049, -1.33140097996},
 };
 const double q[kStates][2] = {
     {0.41800669208192387, 1.5435094356097632},
-    {-1.3470054619870495, 1.846298683559279},
     {0.9127015405784982, 1.9804016635516661},
-    {-1.3381966917069186, -2.839180571738165},
+    {-0.6457770681454571, -0.3831633377104495},
+    {2.473937107905471, 2.5916942279046213},
 };
 const double q_after[kStates][2] = {
     {0.418195090401, 1.54361461223},
-    {-1.34704379985, 1.84631071196},
     {0.912774241784, 1.98023422921},
-    {-1.33819047306, -2.83898146769},
+    {-0.645875757399, -0.383064027677},
+    {2.47385783199, 2.59187029215},
 };
 const double q_before[kStates][2] = {
     {0.417818288198, 1.54340429672},
-    {-1.34696711358, 1.84628664876},
     {0.912628877805, 1.98056909748},
-    {-1.33820288898, -2.839379666},
+    {-0.645678375917, -0.38326261594},
+    {2.47401634697, 2.59151815302},
+};
+const double q1[kStates][2] = {
+    {-1.3470054619870495, 1.846298683559279},
+    {-1.3381966917069186, -2.839180571738165},
+    {2.2722816276566795, 1.3073656930353352},
+    {0.6722723339492225, -2.1636012926592314},
+};
+const double regressor_Y[kStates][40] = {
+    {0.0, -8.96535819496, 0.0, -3.98226724819, 0.0, 0.0, -0.556407829442, 0.0, 0.0, 0.0, 
+     3.42585941875, 6.53413692504, 0.0, -4.07696724129, 0.0, 0.0, 3.2170790382, 0.0, 0.0, 0.0, 0.0, 
+     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.08313496468, 0.0, -12.6036663185, 0.0, 
+     0.0, 3.2170790382, 0.0, 0.0, 0.0},
+    {0.0, -5.99990033953, 0.0, -7.76126896298, 0.0, 0.0, 3.8432456354, 0.0, 0.0, 0.0, 
+     11.6045145984, 16.3743794602, 0.0, 0.971006092312, 0.0, 0.0, 3.80204515129, 0.0, 0.0, 0.0, 
+     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 13.2443920899, 0.0, -1.36667776187, 
+     0.0, 0.0, 3.80204515129, 0.0, 0.0, 0.0},
+    {0.0, -7.83458338854, 0.0, 5.90384646887, 0.0, 0.0, 0.297573884809, 0.0, 0.0, 0.0, 
+     -5.60627258406, -7.37409475442, 0.0, 5.26715445567, 0.0, 0.0, 3.47790886864, 0.0, 0.0, 0.0, 
+     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -6.07389042089, 0.0, 8.49288209311, 
+     0.0, 0.0, 3.47790886864, 0.0, 0.0, 0.0},
+    {0.0, 7.70355151411, 0.0, -6.07382861707, 0.0, 0.0, -3.68415058288, 0.0, 0.0, 0.0, 
+     2.38967803419, -8.06360706844, 0.0, 2.17715683696, 0.0, 0.0, -4.74752901041, 0.0, 0.0, 0.0, 
+     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -4.78346036953, 0.0, 5.73498223696, 
+     0.0, 0.0, -4.74752901041, 0.0, 0.0, 0.0},
 };
 const double rnea_tau[kStates][2] = {
     {4.99474347044, 2.05145215586},
-    {-9.74762246083, 0.703465865033},
     {13.2013920627, 0.395160952522},
-    {-8.45967484844, 1.11545745092},
+    {-7.4031585069, -1.0999847019},
+    {3.04031204408, -1.097694999},
 };
 const double rnea_derivatives_M[kStates][4] = {
     {1.05823005154, 0.0541075257686, 0.0541075257686, 0.050015},
-    {0.968435884956, 0.00921044247801, 0.00921044247801, 0.050015},
     {0.930570797078, -0.00972210146079, -0.00972210146079, 0.050015},
-    {0.763658732475, -0.0931781337626, -0.0931781337626, 0.050015},
+    {1.32829099332, 0.189137996659, 0.189137996659, 0.050015},
+    {0.794271717222, -0.0778716413888, -0.0778716413888, 0.050015},
 };
 const double rnea_derivatives_dtau_dq[kStates][4] = {
-    {10.198003074, -0.980120539, -0.56042676, -0.462470245},
-    {3.9043920497, 1.076782026, 1.2918610315, 1.1336947238},
-    {5.7735774824, -2.456156919, -1.4263029251, -1.9866588135},
-    {1.9632934027, 0.08748785, -0.7502459218, -0.6552987548},
+    {10.1980030744, -0.980120538756, -0.560426759511, -0.462470244702},
+    {5.77357748235, -2.45615691903, -1.42630292509, -1.98665881348},
+    {10.1603922655, 1.10611421316, 0.758892199251, 0.911083563133},
+    {-8.73520848779, 1.20954106027, 0.509053329141, 0.717519055429},
 };
 const double rnea_derivatives_dtau_dv[kStates][4] = {
     {-0.315355830916, -0.880348730312, 0.564992899396, 0.0},
-    {-0.034733613939, 0.075957870812, -0.110691484751, 0.0},
-    {0.460750988881, 0.260742204602, 0.200008784279, 0.0},
-    {0.177889339569, 0.183435971035, -0.005546631466, 0.0},
+    {0.460750988881, 0.260742204602, 0.200008784279, 2.18952885051e-17},
+    {0.111365206459, 0.000676744105523, 0.110688462353, 1.09476442525e-17},
+    {-0.276042200773, -0.151782158093, -0.12426004268, 0.0},
+};
+const double rnea_hessian_H_qa[kStates][4] = {
+    {0.0, 0.0, -0.12941055284, -0.02734673626},
+    {0.0, 0.0, -0.12567497939, -0.02631801436},
+    {0.0, 0.0, -0.059465621095, -0.021131626238},
+    {0.0, 0.0, -0.10845968117, -0.03548776258},
+};
+const double rnea_hessian_H_qq[kStates][4] = {
+    {-1.7976725995, -0.926132059, -0.926132059, -1.0535931114},
+    {-2.0427887264, -0.2613338316, -0.2613338316, -0.0809631888},
+    {-3.5314386438, -0.8617951305, -0.8617951305, -0.6885031377},
+    {-2.0143831705, 1.2852161769, 1.2852161769, 0.5591906633},
+};
+const double rnea_hessian_H_qv[kStates][4] = {
+    {0.0, 0.0, 0.0061143590531, -0.0043822036234},
+    {0.0, 0.0, -0.084358994891, -0.021653298429},
+    {0.0, 0.0, 0.18834526632, 0.00063265133},
+    {0.0, 0.0, 0.30080699854, 0.1120991051},
+};
+const double rnea_hessian_H_vv[kStates][4] = {
+    {0.14943416063, -0.05469347252, -0.05469347252, -0.05469347252},
+    {0.14607790136, -0.05263602871, -0.05263602871, -0.05263602871},
+    {0.034404737236, -0.042263252477, -0.042263252477, -0.042263252477},
+    {0.074968312033, -0.070975525152, -0.070975525152, -0.070975525152},
 };
 const double tau[kStates][2] = {
     {-1.1147059834728381, 0.4613435970196278},
-    {-0.9012418505942072, -6.65930021718898},
     {-8.680796137088471, -7.537822261238958},
-    {-9.125034486562827, 1.731902844203967},
+    {0.8734157884882077, 3.3714693120847308},
+    {-3.4863269853409733, -8.24538331872973},
 };
 const double v[kStates][2] = {
     {1.8840110143471849, 1.051577567647044},
-    {-0.38343132379909717, 0.12031599000635573},
     {0.7268198935223542, -1.6743413839861567},
-    {0.062079585645881785, 1.9909915701465684},
+    {-0.986907409333242, 0.9929413152866191},
+    {-0.7925748979042453, 1.7606956699520717},
 };
 
 int failures = 0;
@@ -227,9 +477,282 @@ int run() {
     }
     worst(rnea_derivatives_M_error, relative_error(dense2, rnea_derivatives_M[s], 4));
   }
-  report("rnea_derivatives.dtau_dq", rnea_derivatives_dtau_dq_error, 1e-09);
-  report("rnea_derivatives.dtau_dv", rnea_derivatives_dtau_dv_error, 1e-10);
+  report("rnea_derivatives.dtau_dq", rnea_derivatives_dtau_dq_error, 1e-11);
+  report("rnea_derivatives.dtau_dv", rnea_derivatives_dtau_dv_error, 1e-11);
   report("rnea_derivatives.M", rnea_derivatives_M_error, 1e-11);
+  double aba_derivatives_dqdd_dq_error = 0;
+  double aba_derivatives_dqdd_dv_error = 0;
+  double aba_derivatives_Minv_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[4];
+    double out1[4];
+    double out2[3];
+    double_pendulum::raw::aba_derivatives<double>(q[s], v[s], tau[s], out0, out1, out2);
+    double dense0[4] = {};
+    for (int k = 0; k < 4; ++k) {
+      dense0[sparsity::aba_derivatives_dqdd_dq_row[k] * 2 + sparsity::aba_derivatives_dqdd_dq_col[k]] = out0[k];
+    }
+    worst(aba_derivatives_dqdd_dq_error, relative_error(dense0, aba_derivatives_dqdd_dq[s], 4));
+    double dense1[4] = {};
+    for (int k = 0; k < 4; ++k) {
+      dense1[sparsity::aba_derivatives_dqdd_dv_row[k] * 2 + sparsity::aba_derivatives_dqdd_dv_col[k]] = out1[k];
+    }
+    worst(aba_derivatives_dqdd_dv_error, relative_error(dense1, aba_derivatives_dqdd_dv[s], 4));
+    double dense2[4] = {};
+    for (int k = 0; k < 3; ++k) {
+      dense2[sparsity::aba_derivatives_Minv_row[k] * 2 + sparsity::aba_derivatives_Minv_col[k]] = out2[k];
+      dense2[sparsity::aba_derivatives_Minv_col[k] * 2 + sparsity::aba_derivatives_Minv_row[k]] = out2[k];
+    }
+    worst(aba_derivatives_Minv_error, relative_error(dense2, aba_derivatives_Minv[s], 4));
+  }
+  report("aba_derivatives.dqdd_dq", aba_derivatives_dqdd_dq_error, 1e-11);
+  report("aba_derivatives.dqdd_dv", aba_derivatives_dqdd_dv_error, 1e-11);
+  report("aba_derivatives.Minv", aba_derivatives_Minv_error, 1e-11);
+  double rnea_hessian_H_qq_error = 0;
+  double rnea_hessian_H_qv_error = 0;
+  double rnea_hessian_H_vv_error = 0;
+  double rnea_hessian_H_qa_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[3];
+    double out1[2];
+    double out2[3];
+    double out3[2];
+    double_pendulum::raw::rnea_hessian<double>(q[s], v[s], a[s], lambda[s], out0, out1, out2, out3);
+    double dense0[4] = {};
+    for (int k = 0; k < 3; ++k) {
+      dense0[sparsity::rnea_hessian_H_qq_row[k] * 2 + sparsity::rnea_hessian_H_qq_col[k]] = out0[k];
+      dense0[sparsity::rnea_hessian_H_qq_col[k] * 2 + sparsity::rnea_hessian_H_qq_row[k]] = out0[k];
+    }
+    worst(rnea_hessian_H_qq_error, relative_error(dense0, rnea_hessian_H_qq[s], 4));
+    double dense1[4] = {};
+    for (int k = 0; k < 2; ++k) {
+      dense1[sparsity::rnea_hessian_H_qv_row[k] * 2 + sparsity::rnea_hessian_H_qv_col[k]] = out1[k];
+    }
+    worst(rnea_hessian_H_qv_error, relative_error(dense1, rnea_hessian_H_qv[s], 4));
+    double dense2[4] = {};
+    for (int k = 0; k < 3; ++k) {
+      dense2[sparsity::rnea_hessian_H_vv_row[k] * 2 + sparsity::rnea_hessian_H_vv_col[k]] = out2[k];
+      dense2[sparsity::rnea_hessian_H_vv_col[k] * 2 + sparsity::rnea_hessian_H_vv_row[k]] = out2[k];
+    }
+    worst(rnea_hessian_H_vv_error, relative_error(dense2, rnea_hessian_H_vv[s], 4));
+    double dense3[4] = {};
+    for (int k = 0; k < 2; ++k) {
+      dense3[sparsity::rnea_hessian_H_qa_row[k] * 2 + sparsity::rnea_hessian_H_qa_col[k]] = out3[k];
+    }
+    worst(rnea_hessian_H_qa_error, relative_error(dense3, rnea_hessian_H_qa[s], 4));
+  }
+  report("rnea_hessian.H_qq", rnea_hessian_H_qq_error, 1e-09);
+  report("rnea_hessian.H_qv", rnea_hessian_H_qv_error, 1e-09);
+  report("rnea_hessian.H_vv", rnea_hessian_H_vv_error, 1e-09);
+  report("rnea_hessian.H_qa", rnea_hessian_H_qa_error, 1e-09);
+  double frame_velocity_velocity_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[12];
+    double_pendulum::raw::frame_velocity<double>(q[s], v[s], out0);
+    worst(frame_velocity_velocity_error, relative_error(out0, frame_velocity_velocity[s], 12));
+  }
+  report("frame_velocity", frame_velocity_velocity_error, 1e-11);
+  double frame_acceleration_acceleration_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[12];
+    double_pendulum::raw::frame_acceleration<double>(q[s], v[s], a[s], out0);
+    worst(frame_acceleration_acceleration_error, relative_error(out0, frame_acceleration_acceleration[s], 12));
+  }
+  report("frame_acceleration", frame_acceleration_acceleration_error, 1e-11);
+  double frame_jacobian_J_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[5];
+    double_pendulum::raw::frame_jacobian<double>(q[s], out0);
+    double dense0[24] = {};
+    for (int k = 0; k < 5; ++k) {
+      dense0[sparsity::frame_jacobian_J_row[k] * 2 + sparsity::frame_jacobian_J_col[k]] = out0[k];
+    }
+    worst(frame_jacobian_J_error, relative_error(dense0, frame_jacobian_J[s], 24));
+  }
+  report("frame_jacobian", frame_jacobian_J_error, 1e-11);
+  double frame_jacobian_dot_dJ_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[2];
+    double_pendulum::raw::frame_jacobian_dot<double>(q[s], v[s], out0);
+    double dense0[24] = {};
+    for (int k = 0; k < 2; ++k) {
+      dense0[sparsity::frame_jacobian_dot_dJ_row[k] * 2 + sparsity::frame_jacobian_dot_dJ_col[k]] = out0[k];
+    }
+    worst(frame_jacobian_dot_dJ_error, relative_error(dense0, frame_jacobian_dot_dJ[s], 24));
+  }
+  report("frame_jacobian_dot", frame_jacobian_dot_dJ_error, 1e-11);
+  double frame_velocity_derivatives_dvelocity_dq_error = 0;
+  double frame_velocity_derivatives_dvelocity_dv_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[2];
+    double out1[5];
+    double_pendulum::raw::frame_velocity_derivatives<double>(q[s], v[s], out0, out1);
+    double dense0[24] = {};
+    for (int k = 0; k < 2; ++k) {
+      dense0[sparsity::frame_velocity_derivatives_dvelocity_dq_row[k] * 2 + sparsity::frame_velocity_derivatives_dvelocity_dq_col[k]] = out0[k];
+    }
+    worst(frame_velocity_derivatives_dvelocity_dq_error, relative_error(dense0, frame_velocity_derivatives_dvelocity_dq[s], 24));
+    double dense1[24] = {};
+    for (int k = 0; k < 5; ++k) {
+      dense1[sparsity::frame_velocity_derivatives_dvelocity_dv_row[k] * 2 + sparsity::frame_velocity_derivatives_dvelocity_dv_col[k]] = out1[k];
+    }
+    worst(frame_velocity_derivatives_dvelocity_dv_error, relative_error(dense1, frame_velocity_derivatives_dvelocity_dv[s], 24));
+  }
+  report("frame_velocity_derivatives.dvelocity_dq", frame_velocity_derivatives_dvelocity_dq_error, 1e-11);
+  report("frame_velocity_derivatives.dvelocity_dv", frame_velocity_derivatives_dvelocity_dv_error, 1e-11);
+  double frame_acceleration_derivatives_dacceleration_dq_error = 0;
+  double frame_acceleration_derivatives_dacceleration_dv_error = 0;
+  double frame_acceleration_derivatives_dacceleration_da_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[2];
+    double out1[4];
+    double out2[5];
+    double_pendulum::raw::frame_acceleration_derivatives<double>(q[s], v[s], a[s], out0, out1, out2);
+    double dense0[24] = {};
+    for (int k = 0; k < 2; ++k) {
+      dense0[sparsity::frame_acceleration_derivatives_dacceleration_dq_row[k] * 2 + sparsity::frame_acceleration_derivatives_dacceleration_dq_col[k]] = out0[k];
+    }
+    worst(frame_acceleration_derivatives_dacceleration_dq_error, relative_error(dense0, frame_acceleration_derivatives_dacceleration_dq[s], 24));
+    double dense1[24] = {};
+    for (int k = 0; k < 4; ++k) {
+      dense1[sparsity::frame_acceleration_derivatives_dacceleration_dv_row[k] * 2 + sparsity::frame_acceleration_derivatives_dacceleration_dv_col[k]] = out1[k];
+    }
+    worst(frame_acceleration_derivatives_dacceleration_dv_error, relative_error(dense1, frame_acceleration_derivatives_dacceleration_dv[s], 24));
+    double dense2[24] = {};
+    for (int k = 0; k < 5; ++k) {
+      dense2[sparsity::frame_acceleration_derivatives_dacceleration_da_row[k] * 2 + sparsity::frame_acceleration_derivatives_dacceleration_da_col[k]] = out2[k];
+    }
+    worst(frame_acceleration_derivatives_dacceleration_da_error, relative_error(dense2, frame_acceleration_derivatives_dacceleration_da[s], 24));
+  }
+  report("frame_acceleration_derivatives.dacceleration_dq", frame_acceleration_derivatives_dacceleration_dq_error, 1e-11);
+  report("frame_acceleration_derivatives.dacceleration_dv", frame_acceleration_derivatives_dacceleration_dv_error, 1e-11);
+  report("frame_acceleration_derivatives.dacceleration_da", frame_acceleration_derivatives_dacceleration_da_error, 1e-11);
+  double joint_jacobians_J_world_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[4];
+    double_pendulum::raw::joint_jacobians<double>(q[s], out0);
+    double dense0[12] = {};
+    for (int k = 0; k < 4; ++k) {
+      dense0[sparsity::joint_jacobians_J_world_row[k] * 2 + sparsity::joint_jacobians_J_world_col[k]] = out0[k];
+    }
+    worst(joint_jacobians_J_world_error, relative_error(dense0, joint_jacobians_J_world[s], 12));
+  }
+  report("joint_jacobians", joint_jacobians_J_world_error, 1e-11);
+  double com_c_error = 0;
+  double com_vc_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[3];
+    double out1[3];
+    double_pendulum::raw::com<double>(q[s], v[s], out0, out1);
+    worst(com_c_error, relative_error(out0, com_c[s], 3));
+    worst(com_vc_error, relative_error(out1, com_vc[s], 3));
+  }
+  report("com.c", com_c_error, 1e-11);
+  report("com.vc", com_vc_error, 1e-11);
+  double com_jacobian_Jc_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[4];
+    double_pendulum::raw::com_jacobian<double>(q[s], out0);
+    double dense0[6] = {};
+    for (int k = 0; k < 4; ++k) {
+      dense0[sparsity::com_jacobian_Jc_row[k] * 2 + sparsity::com_jacobian_Jc_col[k]] = out0[k];
+    }
+    worst(com_jacobian_Jc_error, relative_error(dense0, com_jacobian_Jc[s], 6));
+  }
+  report("com_jacobian", com_jacobian_Jc_error, 1e-11);
+  double centroidal_h_error = 0;
+  double centroidal_A_G_error = 0;
+  double centroidal_dh_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[6];
+    double out1[6];
+    double out2[6];
+    double_pendulum::raw::centroidal<double>(q[s], v[s], a[s], out0, out1, out2);
+    worst(centroidal_h_error, relative_error(out0, centroidal_h[s], 6));
+    double dense1[12] = {};
+    for (int k = 0; k < 6; ++k) {
+      dense1[sparsity::centroidal_A_G_row[k] * 2 + sparsity::centroidal_A_G_col[k]] = out1[k];
+    }
+    worst(centroidal_A_G_error, relative_error(dense1, centroidal_A_G[s], 12));
+    worst(centroidal_dh_error, relative_error(out2, centroidal_dh[s], 6));
+  }
+  report("centroidal.h", centroidal_h_error, 1e-11);
+  report("centroidal.A_G", centroidal_A_G_error, 1e-11);
+  report("centroidal.dh", centroidal_dh_error, 1e-11);
+  double energy_T_error = 0;
+  double energy_V_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[1];
+    double out1[1];
+    double_pendulum::raw::energy<double>(q[s], v[s], out0, out1);
+    worst(energy_T_error, relative_error(out0, energy_T[s], 1));
+    worst(energy_V_error, relative_error(out1, energy_V[s], 1));
+  }
+  report("energy.T", energy_T_error, 1e-11);
+  report("energy.V", energy_V_error, 1e-11);
+  double regressor_Y_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[10];
+    double_pendulum::raw::regressor<double>(q[s], v[s], a[s], out0);
+    double dense0[40] = {};
+    for (int k = 0; k < 10; ++k) {
+      dense0[sparsity::regressor_Y_row[k] * 20 + sparsity::regressor_Y_col[k]] = out0[k];
+    }
+    worst(regressor_Y_error, relative_error(dense0, regressor_Y[s], 40));
+  }
+  report("regressor", regressor_Y_error, 1e-11);
+  double integrate_q_next_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[2];
+    double_pendulum::raw::integrate<double>(q[s], v[s], out0);
+    worst(integrate_q_next_error, relative_error(out0, integrate_q_next[s], 2));
+  }
+  report("integrate", integrate_q_next_error, 1e-11);
+  double difference_d_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[2];
+    double_pendulum::raw::difference<double>(q[s], q1[s], out0);
+    worst(difference_d_error, relative_error(out0, difference_d[s], 2));
+  }
+  report("difference", difference_d_error, 1e-11);
+  double integrate_derivatives_dq_next_dq_error = 0;
+  double integrate_derivatives_dq_next_dv_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[2];
+    double out1[2];
+    double_pendulum::raw::integrate_derivatives<double>(q[s], v[s], out0, out1);
+    double dense0[4] = {};
+    for (int k = 0; k < 2; ++k) {
+      dense0[sparsity::integrate_derivatives_dq_next_dq_row[k] * 2 + sparsity::integrate_derivatives_dq_next_dq_col[k]] = out0[k];
+    }
+    worst(integrate_derivatives_dq_next_dq_error, relative_error(dense0, integrate_derivatives_dq_next_dq[s], 4));
+    double dense1[4] = {};
+    for (int k = 0; k < 2; ++k) {
+      dense1[sparsity::integrate_derivatives_dq_next_dv_row[k] * 2 + sparsity::integrate_derivatives_dq_next_dv_col[k]] = out1[k];
+    }
+    worst(integrate_derivatives_dq_next_dv_error, relative_error(dense1, integrate_derivatives_dq_next_dv[s], 4));
+  }
+  report("integrate_derivatives.dq_next_dq", integrate_derivatives_dq_next_dq_error, 1e-11);
+  report("integrate_derivatives.dq_next_dv", integrate_derivatives_dq_next_dv_error, 1e-11);
+  double difference_derivatives_dd_dq_error = 0;
+  double difference_derivatives_dd_dq1_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    double out0[2];
+    double out1[2];
+    double_pendulum::raw::difference_derivatives<double>(q[s], q1[s], out0, out1);
+    double dense0[4] = {};
+    for (int k = 0; k < 2; ++k) {
+      dense0[sparsity::difference_derivatives_dd_dq_row[k] * 2 + sparsity::difference_derivatives_dd_dq_col[k]] = out0[k];
+    }
+    worst(difference_derivatives_dd_dq_error, relative_error(dense0, difference_derivatives_dd_dq[s], 4));
+    double dense1[4] = {};
+    for (int k = 0; k < 2; ++k) {
+      dense1[sparsity::difference_derivatives_dd_dq1_row[k] * 2 + sparsity::difference_derivatives_dd_dq1_col[k]] = out1[k];
+    }
+    worst(difference_derivatives_dd_dq1_error, relative_error(dense1, difference_derivatives_dd_dq1[s], 4));
+  }
+  report("difference_derivatives.dd_dq", difference_derivatives_dd_dq_error, 1e-11);
+  report("difference_derivatives.dd_dq1", difference_derivatives_dd_dq1_error, 1e-11);
   // d/dt (v M v / 2) = v (tau - g), the rate by central differences.
   double power_error = 0;
   for (int s = 0; s < kStates; ++s) {

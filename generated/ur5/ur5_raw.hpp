@@ -28,6 +28,16 @@ inline constexpr double v_limit[6] = {
 inline constexpr double tau_limit[6] = {
     150.0, 150.0, 150.0, 28.0, 28.0, 28.0};
 
+/// Rows of fk's output.
+namespace frame {
+inline constexpr int shoulder = 0;
+inline constexpr int upper_arm = 1;
+inline constexpr int forearm = 2;
+inline constexpr int wrist_1_link = 3;
+inline constexpr int wrist_2_link = 4;
+inline constexpr int wrist_3_link = 5;
+}  // namespace frame
+
 /// Where the structural non-zeros of matrices stand, in the order in which raw functions write
 /// them: by columns, of symmetric matrices the upper triangle.
 namespace sparsity {

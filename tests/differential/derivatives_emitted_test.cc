@@ -5,7 +5,7 @@
 #include "cli/build.h"
 #include "emit/emit.h"
 #include "frontend/urdf.h"
-#include "record.h"
+#include "state_source.h"
 
 namespace arboc::test {
 namespace {
@@ -30,7 +30,7 @@ Compilation compile_robot(const std::string& name, Base base, const CompileOptio
 
 CompileOptions derivatives_only() {
   CompileOptions options;
-  options.functions = {"rnea_derivatives"};
+  options.requests = {{"rnea_derivatives"}};
   return options;
 }
 
@@ -38,6 +38,11 @@ Values next_state(StateSource& source, const Model& model) {
   const arboc::State s = source.next(model);
   const auto list = [](const VectorXd& x) { return std::vector<double>(x.begin(), x.end()); };
   return {{"q", list(s.q)}, {"v", list(s.v)}, {"a", list(s.a)}};
+}
+
+Values generic_results(const Compilation& compilation, const Values& in) {
+  const CompiledFunction& f = compilation.functions.front();
+  return evaluate_generic(f.request, compilation.setup, f.lowering, in);
 }
 
 void expect_near(const std::vector<double>& got, const std::vector<double>& expected,
@@ -55,10 +60,9 @@ void expect_generic_results(const std::string& name, Base base) {
   const cli::GeneratedCode code(compiler(), target(compilation, options));
   StateSource source(5);
   for (int s = 0; s < 10; ++s) {
-    const Values in = next_state(source, compilation.model);
+    const Values in = next_state(source, compilation.setup.model);
     const Values got = code.call("rnea_derivatives", in);
-    const DynamicTree& tree = compilation.functions.front().tree;
-    for (const auto& [output, values] : evaluate_generic("rnea_derivatives", tree, in))
+    for (const auto& [output, values] : generic_results(compilation, in))
       expect_near(got.at(output), values, output);
   }
 }
@@ -99,11 +103,10 @@ TEST(EmittedDerivatives, FillInTheMatricesThatAreWanted) {
   using Call = void (*)(const double*, const double*, const double*, double*, double*);
   const auto call = reinterpret_cast<Call>(library.symbol("call"));
   StateSource source(5);
-  const Values in = next_state(source, compilation.model);
+  const Values in = next_state(source, compilation.setup.model);
   std::vector<double> dq(36), M(36);
   call(in.at("q").data(), in.at("v").data(), in.at("a").data(), dq.data(), M.data());
-  const Values expected =
-      evaluate_generic("rnea_derivatives", compilation.functions.front().tree, in);
+  const Values expected = generic_results(compilation, in);
   expect_near(dq, expected.at("dtau_dq"), "dtau_dq");
   expect_near(M, expected.at("M"), "M");
 }

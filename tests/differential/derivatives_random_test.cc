@@ -2,7 +2,7 @@
 // the reference engine's by complex step, and the traced function against the generic one.
 #include <gtest/gtest.h>
 
-#include "functions/catalogue.h"
+#include "functions/trace.h"
 #include "passes/passes.h"
 #include "program/program.h"
 #include "reference/differentiate.h"
@@ -60,6 +60,10 @@ std::vector<double> list(const VectorXd& x) { return {x.begin(), x.end()}; }
 
 Values inputs(const State& s) { return {{"q", list(s.q)}, {"v", list(s.v)}, {"a", list(s.a)}}; }
 
+Values generic(const Model& model, const LoweringOptions& lowering, const State& state) {
+  return evaluate_generic({"rnea_derivatives"}, resolve(model), lowering, inputs(state));
+}
+
 MatrixXd square(const std::vector<double>& values, int n) {
   return Eigen::Map<const Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(values.data(), n, n);
 }
@@ -109,7 +113,7 @@ TEST(Derivatives, AreThoseOfInverseDynamicsByAutomaticDifferentiation) {
   for_each_case([](const Model& model, const State& state) {
     for (const LoweringOptions& lowering : kLowerings) {
       const DynamicTree tree = lower(model, lowering);
-      const Values got = evaluate_generic("rnea_derivatives", tree, inputs(state));
+      const Values got = generic(model, lowering, state);
       const std::vector<Dual> q(state.q.begin(), state.q.end()), v(state.v.begin(), state.v.end()),
           a(state.a.begin(), state.a.end());
       MatrixXd dq(tree.nv, tree.nv), dv(tree.nv, tree.nv), M(tree.nv, tree.nv);
@@ -136,7 +140,7 @@ TEST(Derivatives, AreThoseOfTheReferenceEngineByComplexStep) {
       return differentiate(complex, rnea, {state.q, state.v, state.a, {}}, with);
     };
     const DynamicTree tree = lower(model, kLowerings[3]);
-    const Values got = evaluate_generic("rnea_derivatives", tree, inputs(state));
+    const Values got = generic(model, kLowerings[3], state);
     EXPECT_LT(distance(square(got.at("dtau_dq"), tree.nv), expected(With::kQ)), kRounding);
     EXPECT_LT(distance(square(got.at("dtau_dv"), tree.nv), expected(With::kV)), kRounding);
     EXPECT_LT(distance(square(got.at("M"), tree.nv), reference.crba(state.q)), kRounding);
@@ -144,9 +148,10 @@ TEST(Derivatives, AreThoseOfTheReferenceEngineByComplexStep) {
 }
 
 /// The traced function's outputs, dense.
-Values evaluate_traced(const DynamicTree& tree, const Values& in) {
-  const Signature s = signature("rnea_derivatives", tree);
-  const Traced traced = trace("rnea_derivatives", tree);
+Values evaluate_traced(const Model& model, const LoweringOptions& lowering, const Values& in) {
+  const Setup tree = resolve(model);
+  const Signature s = signature({"rnea_derivatives"}, tree);
+  const Traced traced = trace({"rnea_derivatives"}, tree, lowering);
   const auto raw = evaluate(run_passes(traced.graph), {in.at("q"), in.at("v"), in.at("a")});
   Values out;
   for (size_t k = 0; k < s.outputs.size(); ++k) {
@@ -167,8 +172,8 @@ TEST(Derivatives, TracedOnesAreTheGenericOnes) {
   for_each_case([](const Model& model, const State& state) {
     for (const LoweringOptions& lowering : lowerings("rnea_derivatives")) {
       const DynamicTree tree = lower(model, lowering);
-      const Values got = evaluate_traced(tree, inputs(state));
-      const Values expected = evaluate_generic("rnea_derivatives", tree, inputs(state));
+      const Values got = evaluate_traced(model, lowering, inputs(state));
+      const Values expected = generic(model, lowering, state);
       for (const auto& [name, values] : expected)
         EXPECT_LT(distance(square(got.at(name), tree.nv), square(values, tree.nv)), kRounding)
             << name;

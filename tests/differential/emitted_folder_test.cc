@@ -62,7 +62,7 @@ void EmittedFolder::expect_selftest_passes() const {
   const Outcome outcome = run_program({(folder_ / "build/") + name() + "_selftest"});
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   EXPECT_EQ(outcome.out.find("WRONG"), std::string::npos) << outcome.out;
-  for (const std::string& function : function_names())
+  for (const std::string& function : functions_of(own_model(name())))
     EXPECT_NE(outcome.out.find(function), std::string::npos) << outcome.out;
 }
 
@@ -102,7 +102,7 @@ void EmittedFolder::expect_consumer_gets_the_bits_of_eval() const {
     lines[line.substr(0, line.find(':'))] += line.substr(line.find(':') + 1) + "\n";
 
   for (const auto& [input, rows] : tables) write_text(folder_ / input, csv_text(rows));
-  for (const CompiledFunction& f : compilation_of(model, function_names()).functions) {
+  for (const CompiledFunction& f : compilation_of(model, functions_of(model)).functions) {
     if (f.signature.outputs.size() > 1) continue;  // derivatives_emitted_test calls these
     std::vector<std::string> command{"eval", "--function", f.signature.name};
     for (const Argument& a : f.signature.inputs)

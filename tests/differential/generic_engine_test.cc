@@ -32,16 +32,16 @@ void expect_agreement(const Model& model, int states) {
   for (const std::string& function : functions_of(model)) {
     for (const LoweringOptions& lowering : lowerings(function)) {
       SCOPED_TRACE(function + (lowering.frames == FrameChoice::kAxis ? ", axis" : ", denavit"));
-      const DynamicTree tree = lower(model, lowering);
-      const Signature s = signature(function, tree);
-      Traced traced = trace(function, tree);
+      const Setup setup = resolve(model);
+      const Signature s = signature({function}, setup);
+      Traced traced = trace({function}, setup, lowering);
       traced.graph = run_passes(std::move(traced.graph));
       Random random(11);
       for (int k = 0; k < states; ++k) {
         const State state = random_state(model, random);
         const Values in = inputs_of(state);
-        const Values expected = evaluate_reference(function, model, reference, in);
-        const Values generic = evaluate_generic(function, tree, in);
+        const Values expected = evaluate_reference({function}, setup, in);
+        const Values generic = evaluate_generic({function}, setup, lowering, in);
         std::vector<std::vector<double>> arguments;
         for (const Argument& a : s.inputs) arguments.push_back(in.at(a.name));
         const auto results = evaluate(traced.graph, arguments);

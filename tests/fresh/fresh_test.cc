@@ -31,7 +31,7 @@ Files generate(const Product& product) {
   const Model model =
       read_model(ARBOC_SOURCE_DIR "/models/" + name + "/" + name + ".urdf", diagnostics);
   CompileOptions options;
-  options.functions = product.functions;
+  for (const std::string& function : product.functions) options.requests.push_back({function});
   return emit_cpp(target(compile(model, options, diagnostics), options));
 }
 

@@ -23,13 +23,13 @@ std::string printed(const Model& as_read, const std::string& section) {
   std::string stage, function, base;
   words >> stage >> function >> base;
   CompileOptions options;
-  options.functions = {function};
+  options.requests = {{function}};
   if (base == "floating") options.model.base = Base::kFloating;
   Diagnostics diagnostics;
   const Compilation compilation = compile(as_read, options, diagnostics);
   const CompiledFunction& f = compilation.functions.front();
-  if (stage == "model") return print(compilation.model);
-  if (stage == "tree") return print(f.tree);
+  if (stage == "model") return print(compilation.setup.model);
+  if (stage == "tree") return print(lower(compilation.setup, f.lowering));
   if (stage == "graph") return print(f.graph);
   if (stage == "program") return print(f.program);
   throw std::invalid_argument("unknown stage " + stage);

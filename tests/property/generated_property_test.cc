@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 class Code {
  public:
   explicit Code(const Model& model)
-      : code_(generated_code(model, function_names(), "-std=c++17 -O1 -march=native")) {}
+      : code_(generated_code(model, functions_of(model), "-std=c++17 -O1 -march=native")) {}
 
   VectorXd vector(const std::string& function, const State& state, int* status = nullptr) const {
     const Values results = code_.call(function, inputs_of(state), status);

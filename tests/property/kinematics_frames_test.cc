@@ -87,7 +87,7 @@ TEST(Frames, JointJacobiansAreThoseOfTheFramesThatJointsMove) {
     MatrixXd sum = MatrixXd::Zero(6, c.tree.nv);
     for (const int f : c.all_frames()) {
       // What a link's joint adds is the difference to its parent's body.
-      const Frame& frame = c.tree.frame[static_cast<size_t>(f)];
+      const FrameOf<double>& frame = c.tree.frame[static_cast<size_t>(f)];
       if (!frame.moving) continue;
       const auto of = [&](int g) {
         return matrix_of(list(c.frames("frame_jacobian", {g}, Axes::kWorld)), 6, c.tree.nv);
@@ -95,7 +95,7 @@ TEST(Frames, JointJacobiansAreThoseOfTheFramesThatJointsMove) {
       sum += of(f);
       const int parent = c.tree.body[static_cast<size_t>(frame.body)].parent;
       for (const int g : c.all_frames()) {
-        const Frame& other = c.tree.frame[static_cast<size_t>(g)];
+        const FrameOf<double>& other = c.tree.frame[static_cast<size_t>(g)];
         if (parent > 0 && other.moving && other.body == parent) sum -= of(g);
       }
     }

@@ -68,7 +68,7 @@ TEST(Masses, FreeBodySpinsWithItsInertia) {
 }
 
 /// The parameters of a body in its link frame.
-VectorXd parameters(const MassMoments& inertia, const Frame& frame) {
+VectorXd parameters(const MassMoments& inertia, const FrameOf<double>& frame) {
   const Eigen::Matrix3d R = Eigen::Matrix3d::NullaryExpr([&](Eigen::Index i, Eigen::Index j) {
     return frame.R(static_cast<int>(i), static_cast<int>(j));
   });
@@ -90,7 +90,7 @@ TEST(Masses, ForcesAreLinearInTheParameters) {
   for_each_case(25, [](const KinematicCase& c) {
     const int nb = c.tree.nb();
     VectorXd pi(10 * nb);
-    for (const Frame& frame : c.tree.frame)
+    for (const FrameOf<double>& frame : c.tree.frame)
       if (frame.moving)
         pi.segment(10 * (frame.body - 1), 10) =
             parameters(c.tree.body[static_cast<size_t>(frame.body)].inertia, frame);

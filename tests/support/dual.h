@@ -18,6 +18,14 @@ struct Dual {
   friend Dual operator*(const Dual& a, const Dual& b) { return {a.x * b.x, a.d * b.x + a.x * b.d}; }
 };
 
+inline Dual operator/(const Dual& a, const Dual& b) {
+  return {a.x / b.x, (a.d - a.x / b.x * b.d) / b.x};
+}
+inline Dual sqrt(const Dual& a) {
+  const double root = std::sqrt(a.x);
+  return {root, a.d / (2 * root)};
+}
+
 inline void sincos(const Dual& angle, Dual& s, Dual& c) {
   const double sine = std::sin(angle.x), cosine = std::cos(angle.x);
   s = {sine, cosine * angle.d};

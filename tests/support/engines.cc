@@ -22,8 +22,8 @@ Model model_from(const std::string& path, const ModelOptions& options) {
 }
 
 Values inputs_of(const State& state) {
-  return {
-      {"q", list(state.q)}, {"v", list(state.v)}, {"a", list(state.a)}, {"tau", list(state.tau)}};
+  return {{"q", list(state.q)},     {"v", list(state.v)},  {"a", list(state.a)},
+          {"tau", list(state.tau)}, {"q1", list(state.q)}, {"lambda", list(state.tau)}};
 }
 
 Eigen::VectorXd vector_of(const std::vector<double>& values) {
@@ -53,14 +53,20 @@ double condition(const Eigen::MatrixXd& M) {
 
 double tolerance(const std::string& function, const Reference& reference, const State& state) {
   constexpr double kRounding = 1e-12;
-  if (function != "aba" && function != "minv") return kRounding;
+  if (!function.starts_with("aba") && function != "minv") return kRounding;
   return kRounding * std::max(1.0, condition(reference.crba(state.q)) / 1e3);
 }
 
+std::vector<Request> requests_of(const std::vector<std::string>& functions) {
+  std::vector<Request> requests;
+  for (const std::string& function : functions) requests.push_back({function});
+  return requests;
+}
+
 Compilation compilation_of(const Model& model, const std::vector<std::string>& functions) {
-  Compilation compilation{model, {}};
-  for (const std::string& function : functions)
-    compilation.functions.push_back(compile_function(function, model));
+  Compilation compilation{resolve(model), {}};
+  for (const Request& request : requests_of(functions))
+    compilation.functions.push_back(compile_function(request, compilation.setup));
   return compilation;
 }
 
@@ -69,16 +75,24 @@ cli::GeneratedCode generated_code(const Model& model, const std::vector<std::str
   cli::Common common;
   if (!flags.empty()) common.cxxflags = flags;
   CompileOptions options;
-  options.functions = functions;
+  options.requests = requests_of(functions);
   return {common, target(compilation_of(model, functions), options)};
 }
 
 std::vector<std::string> functions_of(const Model& model) {
   try {
-    compile_function("aba", model);
-    return function_names();
+    compile_function({"aba"}, resolve(model));
+    return {"fk",
+            "rnea",
+            "gravity",
+            "nle",
+            "crba",
+            "minv",
+            "aba",
+            "rnea_derivatives",
+            "aba_derivatives"};
   } catch (const InputError&) {
-    return {"fk", "rnea", "gravity", "nle", "crba"};
+    return {"fk", "rnea", "gravity", "nle", "crba", "rnea_derivatives"};
   }
 }
 

@@ -5,9 +5,10 @@
 
 #include "cli/build.h"
 #include "compile.h"
-#include "record.h"
 #include "reference/reference.h"
+#include "state_source.h"
 #include "support/random_state.h"
+#include "truth.h"
 
 namespace arboc::test {
 
@@ -15,6 +16,7 @@ namespace arboc::test {
 Model own_model(const std::string& name, const ModelOptions& options = {});
 Model model_from(const std::string& path, const ModelOptions& options = {});
 
+/// q1 and lambda are taken from the state as well.
 Values inputs_of(const State& state);
 Eigen::VectorXd vector_of(const std::vector<double>& values);
 /// A dense matrix of a result: row-major.
@@ -30,6 +32,8 @@ double condition(const Eigen::MatrixXd& M);
 /// seen up to 2e-16 times it.
 double tolerance(const std::string& function, const Reference& reference, const State& state);
 
+std::vector<Request> requests_of(const std::vector<std::string>& functions);
+
 /// The stages up to Program for a configured model.
 Compilation compilation_of(const Model& model, const std::vector<std::string>& functions);
 
@@ -37,7 +41,7 @@ Compilation compilation_of(const Model& model, const std::vector<std::string>& f
 cli::GeneratedCode generated_code(const Model& model, const std::vector<std::string>& functions,
                                   const std::string& flags = "");
 
-/// All functions, or those that a model of singular inertia has.
+/// The functions of dynamics, or those of them that a model of singular inertia has.
 std::vector<std::string> functions_of(const Model& model);
 
 }  // namespace arboc::test
