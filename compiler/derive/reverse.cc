@@ -101,7 +101,8 @@ class ReverseSweep {
     if (slope_[c.node()].coordinate < 0) std::swap(c, x);
     const Slope& of = slope_[c.node()];
     if (of.coordinate < 0 || slope_[x.node()].coordinate >= 0) return {};
-    return {of.coordinate, c.with_sign_of(ref), x, builder_.mul(of.derivative, x).with_sign_of(ref)};
+    return {of.coordinate, c.with_sign_of(ref), x,
+            builder_.mul(of.derivative, x).with_sign_of(ref)};
   }
 
   /// What node n is made of, if its derivative by a coordinate is there already.
@@ -148,7 +149,7 @@ class ReverseSweep {
   std::vector<Slope> slope_;
   std::vector<Ref> adjoint_;
   std::vector<Ref> direct_;  ///< per coordinate: what turned vectors give it
-  int block_ = -1;  ///< of the node visited last
+  int block_ = -1;           ///< of the node visited last
 };
 
 }  // namespace
