@@ -2,18 +2,17 @@
 
 #include <algorithm>
 
-#include "derive/rules.h"
-
 namespace arboc {
 
 ForwardSweep::ForwardSweep(Builder& builder, const std::vector<Ref>& roots,
                            const std::vector<Coordinate>& coordinates)
-    : builder_(builder), zero_(builder.constant(0)) {
-  const std::vector<char> barrier = barriers(coordinates, end_of(roots));
+    : builder_(builder),
+      zero_(builder.constant(0)),
+      barrier_(barriers(coordinates, end_of(roots))) {
   const Region& region = builder.region();
-  const std::vector<char> need = needed(region, roots, barrier);
+  const std::vector<char> need = needed(region, roots, barrier_);
   for (std::uint32_t n = 0; n < need.size(); ++n)
-    if (need[n] && !barrier[n] && operand_count(region.nodes[n].op) > 0) order_.push_back(n);
+    if (need[n] && !barrier_[n] && operand_count(region.nodes[n].op) > 0) order_.push_back(n);
   derivative_.assign(need.size(), zero_);
 }
 
@@ -35,10 +34,20 @@ void ForwardSweep::run(const Coordinate& coordinate) {
     if (!moving) continue;
     Ref sum = zero_;
     for (const Partial& p : partials(builder_, *at))
-      if (moves(p.operand))
-        sum = builder_.add(sum, builder_.mul(p.factor, derivative_[p.operand.node()]));
+      if (moves(p.operand)) sum = builder_.add(sum, change(p));
     derivative_[*at] = is_zero(builder_, sum) ? zero_ : sum;
   }
+}
+
+/// The constant of an operand k x goes to the factor, which all coordinates share.
+Ref ForwardSweep::change(Partial p) {
+  const Region& region = builder_.region();
+  const Node node = region[p.operand];
+  if (node.op == Op::kMul && region.is_constant(node.a) && !barrier_[p.operand.node()]) {
+    p.factor = builder_.mul(node.a, p.factor);
+    p.operand = node.b;
+  }
+  return builder_.mul(p.factor, (*this)[p.operand]);
 }
 
 }  // namespace arboc

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "derive/coordinate.h"
+#include "derive/rules.h"
 
 namespace arboc {
 
@@ -20,8 +20,11 @@ class ForwardSweep {
   Ref operator[](Ref root) const { return derivative_[root.node()].with_sign_of(root); }
 
  private:
+  Ref change(Partial p);
+
   Builder& builder_;
   Ref zero_;
+  std::vector<char> barrier_;
   std::vector<std::uint32_t> order_;  ///< the nodes to visit: needed, neither leaf nor barrier
   std::vector<Ref> derivative_;       ///< per node below the last root
 };

@@ -1,5 +1,6 @@
 // Derivatives of random graphs: against evaluation at x + i h e, whose imaginary part over h is the
 // derivative without cancellation.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <complex>
@@ -97,7 +98,7 @@ TEST(RandomGraphDerivatives, JacobianByBothDirections) {
       worst = std::max(worst, error);
     }
   }
-  RecordProperty("worst", std::to_string(worst));
+  RecordProperty("worst", fmt::format("{:.1e}", worst));
 }
 
 TEST(RandomGraphDerivatives, GradientOfAWeightedSum) {
