@@ -9,6 +9,7 @@
 
 #include "compile.h"
 #include "derive/hessian.h"
+#include "derive/jacobian.h"
 #include "derive/reverse.h"
 #include "frontend/urdf.h"
 #include "functions/run.h"
@@ -213,6 +214,29 @@ TEST(Tangent, SeedsAndGroups) {
         EXPECT_EQ(c.seeds.size(), expected);
       }
     }
+  });
+}
+
+/// The inputs themselves as functions: what q (+) d does to every entry of q, quaternions included.
+TEST(Tangent, MovesEveryInputAsTheReferenceDoes) {
+  for_each_case([](const Model& model, const State& state, const VectorXd&) {
+    const DynamicTree tree = lower(model, lowerings("rnea")[0]);
+    const Reference reference(model);
+    Builder builder("f");
+    const std::vector<Ref> q = builder.input("q", tree.nq);
+    const SparseMatrix J = jacobian(builder, q, tangent(tree, builder, q));
+    builder.output("J", J.value);
+    const auto entries = evaluate(std::move(builder).finish(), {list(state.q)})[0];
+    MatrixXd got = MatrixXd::Zero(tree.nq, tree.nv), expected = got;
+    for (size_t e = 0; e < entries.size(); ++e) got(J.row[e], J.col[e]) = entries[e];
+    for (int j = 0; j < tree.nv; ++j) {
+      const auto odd = [&](double h) -> VectorXd {
+        const VectorXd step = h * VectorXd::Unit(tree.nv, j);
+        return reference.integrate(state.q, step) - reference.integrate(state.q, -step);
+      };
+      expected.col(j) = (45 * odd(0.01) - 9 * odd(0.02) + odd(0.03)) / 0.6;
+    }
+    EXPECT_LE(distance(got, expected), kDifferences);
   });
 }
 

@@ -109,6 +109,18 @@ TEST(Barrier, ReplacesTheChainRule) {
   }
 }
 
+/// Also where only the constant stands between the seeded node and the input.
+TEST(Barrier, HoldsForMultiples) {
+  for (const Direction direction : {Direction::kForward, Direction::kReverse}) {
+    Replay r = replay(graph_of("sin(2 * a) * c + (2 * a) * b; 2 * a"));
+    const std::vector<Coordinate> by{{"t", {{r.outputs[1], r.inputs[3]}}, -1}};
+    const SparseMatrix J = jacobian(r.builder, {r.outputs[0]}, by, direction);
+    EXPECT_EQ(printed(r, J.value), direction == Direction::kForward
+                                       ? "(c * (d * cos(2 * a))) + (b * d)"
+                                       : "d * (b + (c * cos(2 * a)))");
+  }
+}
+
 TEST(Hessian, UpperTriangleAndBlocks) {
   Replay r = replay(graph_of("a * a * b + sin(c) * a"));
   const auto q = first_inputs(r, 2);
