@@ -7,7 +7,7 @@
 namespace arboc {
 
 /// Operations of all that `roots` need, as schedule() will count them after the passes, up to some
-/// per mille; sines and cosines not counted.  Cost: O(nodes).
+/// 2 % (opposite terms cancel late); sines and cosines not counted.  Cost: O(nodes).
 int estimated_cost(const Region& region, const std::vector<Ref>& roots);
 
 }  // namespace arboc

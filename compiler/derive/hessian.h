@@ -1,10 +1,10 @@
-// Second derivatives: forward sweeps over the nodes of the reverse sweep.
+// Second derivatives: sweeps over the nodes of the gradient.
 //
-// With E_i the derivative along coordinate i, a sweep along j over the gradient (E_i f)_i gives the
-// iterated derivatives E_j(E_i f).  Coordinates of one group do not commute (turns about a body's
-// axes, its own moves): there the symmetric second derivative, that of f(q (+) d) at d = 0 for the
-// exponential (+), is the mean of both orders.  Everywhere else one order will do, and which one is
-// chosen by the number of operations.
+// With E_i the derivative along coordinate i, the gradient (E_i f)_i differentiated along j gives
+// the iterated derivatives E_j(E_i f).  Coordinates of one group do not commute (turns about a
+// body's axes, its own moves): there the symmetric second derivative, that of f(q (+) d) at d = 0
+// for the exponential (+), is the mean of both orders.  Everywhere else one order will do; the one
+// with fewer operations is taken.
 #pragma once
 #include <vector>
 
