@@ -22,6 +22,24 @@ constexpr double kStep = 1e-100;
 
 using Complex = std::complex<double>;
 
+const RandomGraphOptions kDifferentiable{.curvature = false};
+
+/// sum_i (-x)^i / (k + 2 i)!
+Complex stumpff(int k, Complex x) {
+  Complex term = 1.0 / std::tgamma(k + 1.0), sum = term;
+  for (int i = 1; i < 30; ++i) {
+    term *= -x / static_cast<double>((k + 2 * i - 1) * (k + 2 * i));
+    sum += term;
+  }
+  return sum;
+}
+/// Of w > 0.
+Complex log_curvature(Complex w) {
+  const Complex half = std::acos(w);
+  return (1.0 - w * half / std::sqrt(1.0 - w * w)) / (4.0 * half * half);
+}
+Complex quaternion_log(Complex w) { return 2.0 * std::acos(w) / std::sqrt(1.0 - w * w); }
+
 std::vector<Complex> evaluate_at(const Region& region, const std::vector<Complex>& inputs) {
   std::vector<Complex> value;
   for (const Node& node : region.nodes) {
@@ -35,6 +53,9 @@ std::vector<Complex> evaluate_at(const Region& region, const std::vector<Complex
       case Op::kSqrt: value.push_back(std::sqrt(at(node.a))); break;
       case Op::kSin: value.push_back(std::sin(at(node.a))); break;
       case Op::kCos: value.push_back(std::cos(at(node.a))); break;
+      case Op::kStumpff: value.push_back(stumpff(static_cast<int>(node.index), at(node.a))); break;
+      case Op::kQuaternionLog: value.push_back(quaternion_log(at(node.a))); break;
+      case Op::kLogCurvature: value.push_back(log_curvature(at(node.a))); break;
       case Op::kSum: ADD_FAILURE() << "fused already"; break;
     }
   }
@@ -46,8 +67,8 @@ struct Problem {
   std::vector<Complex> at;
   std::vector<Coordinate> by;
 
-  explicit Problem(std::uint64_t seed) : graph(replay(random_graph(seed))) {
-    for (const auto& port : random_inputs(random_graph(seed), seed))
+  explicit Problem(std::uint64_t seed) : graph(replay(random_graph(seed, kDifferentiable))) {
+    for (const auto& port : random_inputs(random_graph(seed, kDifferentiable), seed))
       for (const double x : port) at.emplace_back(x);
     by = coordinates_of(graph.builder, "x", graph.inputs);
   }

@@ -12,8 +12,8 @@
 #include "derive/jacobian.h"
 #include "derive/reverse.h"
 #include "frontend/urdf.h"
-#include "functions/run.h"
 #include "functions/tangent.h"
+#include "functions/trace.h"
 #include "graph/expr.h"
 #include "reference/reference.h"
 #include "support/oracle.h"
@@ -114,11 +114,16 @@ MatrixXd square(const std::vector<double>& values, int n) {
 
 /// Derivatives of lambda . tau by q, v, a, from the recursion.
 VectorXd expected_gradient(const DynamicTree& tree, const State& s, const VectorXd& lambda) {
-  const Values d = evaluate_generic("rnea_derivatives", tree,
-                                    {{"q", list(s.q)}, {"v", list(s.v)}, {"a", list(s.a)}});
-  VectorXd g(3 * tree.nv);
-  g << square(d.at("dtau_dq"), tree.nv).transpose() * lambda,
-      square(d.at("dtau_dv"), tree.nv).transpose() * lambda, square(d.at("M"), tree.nv) * lambda;
+  const int n = tree.nv;
+  RneaDerivativesWorkspace<double> work(tree);
+  std::vector<double> dq(static_cast<size_t>(n) * static_cast<size_t>(n)), dv = dq, M = dq;
+  rnea_derivatives(tree, work, s.q.data(), s.v.data(), s.a.data(),
+                   SquareMatrix<double>{dq.data(), n}, SquareMatrix<double>{dv.data(), n},
+                   UpperTriangle<double>{M.data(), n});
+  const MatrixXd upper = square(M, n);
+  VectorXd g(3 * n);
+  g << square(dq, n).transpose() * lambda, square(dv, n).transpose() * lambda,
+      upper.selfadjointView<Eigen::Upper>() * lambda;
   return g;
 }
 

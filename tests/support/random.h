@@ -23,8 +23,8 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/// The seeds a property is tried with: 1 .. n (times the environment variable ARBOC_TEST_STATES), or
-/// the one in ARBOC_SEED.
+/// The seeds a property is tried with: 1 .. n (times the environment variable ARBOC_TEST_STATES),
+/// or the one in ARBOC_SEED.
 std::vector<std::uint64_t> seeds(int n);
 
 }  // namespace arboc::test

@@ -14,6 +14,9 @@ Ref again(Builder& builder, const Region& region, const Node& node, Ref a, Ref b
     case Op::kSqrt: return builder.sqrt(a);
     case Op::kSin: return builder.sin(a);
     case Op::kCos: return builder.cos(a);
+    case Op::kStumpff: return builder.stumpff(static_cast<int>(node.index), a);
+    case Op::kQuaternionLog: return builder.quaternion_log(a);
+    case Op::kLogCurvature: return builder.log_curvature(a);
     default: throw std::logic_error("replay: fused already");
   }
 }
