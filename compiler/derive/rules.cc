@@ -3,13 +3,26 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "base/diagnostic.h"
-
 namespace arboc {
 namespace {
 
 Partial partial(Ref operand, Ref factor) {
   return {operand.positive(), factor.with_sign_of(operand)};
+}
+
+/// db/dw of the curvature b = (c_2 - c_3) / (4 c_1) at y = L^2 (1 - w^2) / 4, half the angle
+/// squared, L the logarithm of w: dy/dw = -L.
+Ref curvature_slope(Builder& builder, Ref w, Ref b) {
+  const auto times = [&](double factor, Ref x) { return builder.mul(builder.constant(factor), x); };
+  const Ref L = builder.quaternion_log(w);
+  const Ref sine = builder.add(builder.constant(1), -builder.mul(w, w));
+  const Ref y = times(0.25, builder.mul(builder.mul(L, L), sine));
+  const auto c = [&](int k) { return builder.stumpff(k, y); };
+  const Ref numerator = builder.add(
+      times(1.5, builder.add(c(4), -c(5))),
+      builder.add(times(-0.5, c(3)), times(2, builder.mul(b, builder.add(c(2), -c(3))))));
+  const Ref slope = builder.div(numerator, times(4, c(1)));
+  return -builder.mul(L, slope);
 }
 
 }  // namespace
@@ -45,7 +58,7 @@ Partials partials(Builder& builder, std::uint32_t n) {
       const Ref curved = builder.mul(builder.log_curvature(a), builder.mul(self, self));
       return {{partial(a, builder.mul(builder.constant(-2), curved))}, 1};
     }
-    case Op::kLogCurvature: throw UsageError("second derivatives of difference are not available");
+    case Op::kLogCurvature: return {{partial(a, curvature_slope(builder, a, self))}, 1};
     case Op::kSum: break;
   }
   throw std::logic_error("derive: the graph has been fused already");

@@ -26,7 +26,7 @@ namespace arboc {
 /// The last three are those of rotations (runtime/arboc/scalar.hpp): the entire function c_k(x), x
 /// >= 0, whose k is Node::index, and of the real part w of a unit quaternion the factor L(w) of its
 /// logarithm and the curvature b(w).  Derivatives:
-///   dc_k/dx = (k c_(k+2) - c_(k+1)) / 2,   dL/dw = -2 b L^2
+///   dc_k/dx = (k c_(k+2) - c_(k+1)) / 2,   dL/dw = -2 b L^2,   db/dw: derive/rules.cc
 #define ARBOC_OPS(X)                     \
   X(kConstant, "constant", 0)            \
   X(kInput, "input", 0)                  \

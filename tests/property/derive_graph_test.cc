@@ -22,7 +22,6 @@ constexpr double kStep = 1e-100;
 
 using Complex = std::complex<double>;
 
-const RandomGraphOptions kDifferentiable{.curvature = false};
 
 /// sum_i (-x)^i / (k + 2 i)!
 Complex stumpff(int k, Complex x) {
@@ -67,8 +66,8 @@ struct Problem {
   std::vector<Complex> at;
   std::vector<Coordinate> by;
 
-  explicit Problem(std::uint64_t seed) : graph(replay(random_graph(seed, kDifferentiable))) {
-    for (const auto& port : random_inputs(random_graph(seed, kDifferentiable), seed))
+  explicit Problem(std::uint64_t seed) : graph(replay(random_graph(seed))) {
+    for (const auto& port : random_inputs(random_graph(seed), seed))
       for (const double x : port) at.emplace_back(x);
     by = coordinates_of(graph.builder, "x", graph.inputs);
   }

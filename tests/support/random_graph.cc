@@ -76,7 +76,7 @@ class Generator {
   /// Of arguments in their domain: sin^2, and (1 + sin) / 4.
   Bounded special(const Bounded& a) {
     const Ref sine = builder_.sin(a.ref), quarter = builder_.constant(0.25);
-    switch (random_.integer(options_.curvature ? 3 : 2)) {
+    switch (random_.integer(3)) {
       case 0: return {builder_.stumpff(random_.integer(7), builder_.mul(sine, sine)), 1};
       case 1:
         return {builder_.quaternion_log(builder_.add(quarter, builder_.mul(quarter, sine))), 4};

@@ -13,8 +13,7 @@ namespace arboc::test {
 struct RandomGraphOptions {
   int inputs = 6;  ///< in two ports
   int nodes = 120;
-  int outputs = 8;        ///< in two ports
-  bool curvature = true;  ///< also log_curvature, which has no derivative
+  int outputs = 8;  ///< in two ports
 };
 
 /// The same for the same seed and options; as tracing leaves it, without n-ary sums.
