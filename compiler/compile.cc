@@ -94,6 +94,8 @@ std::vector<std::string> changed_options(const CompileOptions& compile_options) 
   if (options.order == JointOrder::kAlphabetical)
     changed.emplace_back("--joint-order alphabetical");
   if (options.mimic == MimicPolicy::kIndependent) changed.emplace_back("--mimic independent");
+  if (options.continuous == ContinuousAs::kCosSin) changed.emplace_back("--continuous cos-sin");
+  if (options.expand) changed.emplace_back("--expand");
   if (options.snap != ModelOptions().snap) changed.push_back("--snap " + shortest(options.snap));
   for (const Lock& lock : options.locks) changed.push_back("--lock " + text(lock));
   if (!options.root.empty()) changed.push_back("--root " + options.root);
@@ -109,6 +111,7 @@ std::vector<std::string> freedoms_of(JointType type) {
     case JointType::kFixed: return {};
     case JointType::kPlanar: return {".x", ".y", ".rz"};
     case JointType::kFloating: return {".x", ".y", ".z", ".rx", ".ry", ".rz"};
+    case JointType::kSpherical: return {".rx", ".ry", ".rz"};
     default: return {""};
   }
 }
@@ -124,10 +127,10 @@ void describe_joints(const Model& model, TargetModel& target) {
   nlohmann::ordered_json joints = nlohmann::ordered_json::array();
   for (size_t k = 0; k < model.joints.size(); ++k) {
     const Joint& joint = model.joints[k];
-    if (nv(joint.type) == 0) continue;
-    nlohmann::ordered_json row{{"name", joint.name},   {"type", name(joint.type)},
-                               {"q", at.joint[k].q},   {"v", at.joint[k].v},
-                               {"nq", nq(joint.type)}, {"nv", nv(joint.type)}};
+    if (nv(joint) == 0) continue;
+    nlohmann::ordered_json row{{"name", joint.name}, {"type", name(joint.type)},
+                               {"q", at.joint[k].q}, {"v", at.joint[k].v},
+                               {"nq", nq(joint)},    {"nv", nv(joint)}};
     if (joint.mimic) {
       row["mimic"] = {{"multiplier", at.joint[k].multiplier}, {"offset", at.joint[k].offset}};
     } else {
@@ -135,9 +138,11 @@ void describe_joints(const Model& model, TargetModel& target) {
       for (const std::string& suffix : freedoms_of(joint.type))
         target.velocity_names.push_back(joint.name + suffix);
     }
-    if (!joint.mimic && nv(joint.type) == 1) {
-      lower.values[static_cast<size_t>(at.joint[k].q)] = joint.limits.lower;
-      upper.values[static_cast<size_t>(at.joint[k].q)] = joint.limits.upper;
+    if (!joint.mimic && nv(joint) == 1) {
+      if (nq(joint) == 1) {
+        lower.values[static_cast<size_t>(at.joint[k].q)] = joint.limits.lower;
+        upper.values[static_cast<size_t>(at.joint[k].q)] = joint.limits.upper;
+      }
       velocity.values[static_cast<size_t>(at.joint[k].v)] = joint.limits.velocity;
       effort.values[static_cast<size_t>(at.joint[k].v)] = joint.limits.effort;
     }

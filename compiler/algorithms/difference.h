@@ -1,10 +1,12 @@
 // Displacement between two configurations: q0, q1 -> d with q0 (+) d = q1, the inverse of
 // integrate.h, and its derivatives.
 //
-// The angle of a floating joint is at most pi, and not continuous there.  Angles of other joints
-// are subtracted as they are; a planar joint's formula is singular where they differ by 2 pi n, n
+// The angle of a floating, spherical or unbounded joint is at most pi, and not continuous there.
+// Angles of other joints are subtracted as they are; a planar joint's formula is singular where
+// they differ by 2 pi n, n
 // != 0.
 #pragma once
+#include "algorithms/integrate.h"
 #include "algorithms/rigid_motion.h"
 #include "algorithms/twist.h"
 
@@ -60,6 +62,22 @@ void difference_planar(const T* q0, const T* q1, T* d) {
   d[2] = q1[2] - q0[2];
 }
 
+template <class T>
+void difference_spherical(const T* q0, const T* q1, T* d) {
+  const RelativeTurn<T> turn(q0, q1);
+  const Vector3<T> phi = quaternion_log(turn.w) * turn.u;
+  for (int i = 0; i < 3; ++i) d[i] = phi[i];
+}
+
+/// Of points of the unit circle that are not opposite: by cosine and sine of half the angle.
+template <class T>
+void difference_circle(const T* q0, const T* q1, T* d) {
+  using std::sqrt;
+  const T c = q0[0] * q1[0] + q0[1] * q1[1], s = q0[0] * q1[1] - q0[1] * q1[0];
+  const T half = sqrt(T(0.5) * (T(1) + c));
+  d[0] = quaternion_log(half) * ((T(0.5) * s) / half);
+}
+
 /// q0, q1 (nq) -> d (nv).
 template <class Tree, class T>
 void difference(const Tree& tree, const T* q0, const T* q1, T* d) {
@@ -70,7 +88,12 @@ void difference(const Tree& tree, const T* q0, const T* q1, T* d) {
       case Motion::kWorld: break;
       case Motion::kFloating: difference_floating(q0 + q, q1 + q, d + body.v); break;
       case Motion::kPlanar: difference_planar(q0 + q, q1 + q, d + body.v); break;
-      default: d[body.v] = q1[q] - q0[q];
+      case Motion::kSpherical: difference_spherical(q0 + q, q1 + q, d + body.v); break;
+      default:
+        if (body.circle)
+          difference_circle(q0 + q, q1 + q, d + body.v);
+        else
+          d[body.v] = q1[q] - q0[q];
     }
   }
 }
@@ -120,6 +143,16 @@ void difference_planar_derivatives(const T* q0, const T* q1, BlockView<T> d0, Bl
   d0(2, 2) = T(-1);
 }
 
+template <class T>
+void difference_spherical_derivatives(const T* q0, const T* q1, BlockView<T> d0, BlockView<T> d1) {
+  const T o(0);
+  const T a[] = {o, o, o, q0[0], q0[1], q0[2], q0[3]}, b[] = {o, o, o, q1[0], q1[1], q1[2], q1[3]};
+  T whole0[36], whole1[36];
+  difference_floating_derivatives(a, b, BlockView<T>{whole0, 6}, BlockView<T>{whole1, 6});
+  copy_angular_part(whole0, d0);
+  copy_angular_part(whole1, d1);
+}
+
 /// q0, q1 (nq) -> the change of d with q0 and with q1 in their tangent spaces: nv x nv, row-major.
 template <class Tree, class T>
 void difference_derivatives(const Tree& tree, const T* q0, const T* q1, T* dd_dq0, T* dd_dq1) {
@@ -134,6 +167,7 @@ void difference_derivatives(const Tree& tree, const T* q0, const T* q1, T* dd_dq
     switch (body.motion) {
       case Motion::kFloating: difference_floating_derivatives(a, b, d0, d1); break;
       case Motion::kPlanar: difference_planar_derivatives(a, b, d0, d1); break;
+      case Motion::kSpherical: difference_spherical_derivatives(a, b, d0, d1); break;
       default: d1(0, 0) = T(1); d0(0, 0) = T(-1);
     }
   }

@@ -4,6 +4,7 @@
 // exponential of SE(3): with x = |phi|^2 and the entire functions c_k (runtime/arboc/scalar.hpp)
 //   p + R V(phi) l,  V = 1 + c_2(x) [phi] + c_3(x) [phi]^2,  quaternion (c_1(x/4) phi / 2,
 //   c_0(x/4)).
+// A spherical joint turns likewise, and cosine and sine of an unbounded one turn by the angle.
 // A planar joint moves by that of SE(2), whose V is a rotation by half the angle times c_1.  Other
 // joints add.  docs/theory.md section 8.  Followers of mimic joints have no coordinate of their
 // own.
@@ -45,6 +46,27 @@ void integrate_planar(const T* q, const T* v, T* q1) {
   q1[2] = q[2] + v[2];
 }
 
+/// The turn of a floating joint.
+template <class T>
+void integrate_spherical(const T* q, const T* v, T* q1) {
+  const T o(0);
+  const T q_floating[] = {o, o, o, q[0], q[1], q[2], q[3]},
+          v_floating[] = {o, o, o, v[0], v[1], v[2]};
+  T result[7];
+  integrate_floating(q_floating, v_floating, result);
+  for (int i = 0; i < 4; ++i) q1[i] = result[3 + i];
+}
+
+/// On the unit circle.
+template <class T>
+void integrate_circle(const T* q, const T* v, T* q1) {
+  PlanarRotation<T> turn;
+  sincos(v[0], turn.s, turn.c);
+  turn = compose(turn, PlanarRotation<T>{q[0], q[1]});
+  q1[0] = turn.c;
+  q1[1] = turn.s;
+}
+
 /// q (nq), v (nv) -> q1 (nq).
 template <class Tree, class T>
 void integrate(const Tree& tree, const T* q, const T* v, T* q1) {
@@ -54,7 +76,12 @@ void integrate(const Tree& tree, const T* q, const T* v, T* q1) {
       case Motion::kWorld: break;
       case Motion::kFloating: integrate_floating(q + body.q, v + body.v, q1 + body.q); break;
       case Motion::kPlanar: integrate_planar(q + body.q, v + body.v, q1 + body.q); break;
-      default: q1[body.q] = q[body.q] + v[body.v];
+      case Motion::kSpherical: integrate_spherical(q + body.q, v + body.v, q1 + body.q); break;
+      default:
+        if (body.circle)
+          integrate_circle(q + body.q, v + body.v, q1 + body.q);
+        else
+          q1[body.q] = q[body.q] + v[body.v];
     }
   }
 }
@@ -85,6 +112,23 @@ void integrate_planar_derivatives(const T* v, BlockView<T> dq, BlockView<T> dv) 
   write_planar(c1, turn2, turn3 * lx - c2 * ly, turn3 * ly + c2 * lx, dv);
 }
 
+/// The angular part of a floating joint's.
+template <class T>
+void copy_angular_part(const T (&whole)[36], BlockView<T> block) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) block(i, j) = whole[6 * (3 + i) + 3 + j];
+}
+
+template <class T>
+void integrate_spherical_derivatives(const T* v, BlockView<T> dq, BlockView<T> dv) {
+  const T o(0);
+  const T floating[] = {o, o, o, v[0], v[1], v[2]};
+  T whole_q[36], whole_v[36];
+  integrate_floating_derivatives(floating, BlockView<T>{whole_q, 6}, BlockView<T>{whole_v, 6});
+  copy_angular_part(whole_q, dq);
+  copy_angular_part(whole_v, dv);
+}
+
 /// q (nq), v (nv) -> the change of q1 in its tangent space with q in its, and with v: nv x nv,
 /// row-major.
 template <class Tree, class T>
@@ -99,6 +143,7 @@ void integrate_derivatives(const Tree& tree, const T* q, const T* v, T* dq1_dq, 
     switch (body.motion) {
       case Motion::kFloating: integrate_floating_derivatives(v + body.v, dq, dv); break;
       case Motion::kPlanar: integrate_planar_derivatives(v + body.v, dq, dv); break;
+      case Motion::kSpherical: integrate_spherical_derivatives(v + body.v, dq, dv); break;
       default: dq(0, 0) = dv(0, 0) = T(1);
     }
   }

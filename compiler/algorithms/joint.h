@@ -2,7 +2,7 @@
 //
 //   E = Rz(gamma) Rx(alpha) Rz(theta + q)        revolute, planar
 //   E = Rz(gamma) Rx(alpha) Rz(theta)            prismatic
-//   E = Rz(gamma) Rx(alpha) Rz(theta) R(quat)    floating
+//   E = Rz(gamma) Rx(alpha) Rz(theta) R(quat)    floating, spherical
 // and x_parent = E x + p.  Sine and cosine are taken of the user's q and then turned by theta:
 // q + theta would round, by 0.06 rad at q = 1e15.
 #pragma once
@@ -18,7 +18,7 @@ template <class T>
 struct JointPose {
   PlanarRotation<T> turn;  ///< theta, and the joint's angle if it has one
   Vector3<T> p;            ///< m, origin of the body in its parent's frame
-  Matrix3<T> Q;            ///< R(quaternion) of a floating joint, otherwise unused
+  Matrix3<T> Q;            ///< R(quaternion) of a floating or spherical joint, otherwise unused
 };
 
 /// The joint's own coordinate, for those that have one.
@@ -58,7 +58,10 @@ template <class S, class T>
 ARBOC_INLINE void update_pose(const BodyOf<S>& body, const T* q, JointPose<T>& pose) {
   switch (body.motion) {
     case Motion::kWorld: break;
-    case Motion::kRevolute: pose.turn = joint_turn(body, coordinate(body, q)); break;
+    case Motion::kRevolute:
+      pose.turn = body.circle ? compose(body.theta, PlanarRotation<T>{q[body.q], q[body.q + 1]})
+                              : joint_turn(body, coordinate(body, q));
+      break;
     case Motion::kPrismatic: {
       const Vector3<double> axis = out_of_joint(body, Vector3<double>{0, 0, 1});
       pose.p = cast<T>(body.c) + coordinate(body, q) * cast<T>(axis);
@@ -76,31 +79,32 @@ ARBOC_INLINE void update_pose(const BodyOf<S>& body, const T* q, JointPose<T>& p
       pose.Q = rotation_of_quaternion(q + body.q + 3);
       break;
     }
+    case Motion::kSpherical: pose.Q = rotation_of_quaternion(q + body.q); break;
   }
 }
 
 /// E a.
 template <class T>
 ARBOC_INLINE Vector3<T> up(const Body& body, const JointPose<T>& pose, Vector3<T> a) {
-  if (body.motion == Motion::kFloating) a = pose.Q * a;
+  if (has_quaternion(body.motion)) a = pose.Q * a;
   return out_of_joint(body, rotate_z(pose.turn, a));
 }
 /// E^T a.
 template <class T>
 ARBOC_INLINE Vector3<T> down(const Body& body, const JointPose<T>& pose, const Vector3<T>& a) {
   Vector3<T> b = rotate_back_z(pose.turn, rotate_back_x(body.alpha, rotate_back_z(body.gamma, a)));
-  if (body.motion == Motion::kFloating) b = transpose_apply(pose.Q, b);
+  if (has_quaternion(body.motion)) b = transpose_apply(pose.Q, b);
   return b;
 }
 /// E A E^T.
 template <class T>
 ARBOC_INLINE Symmetric3<T> up(const Body& body, const JointPose<T>& pose, Symmetric3<T> A) {
-  if (body.motion == Motion::kFloating) A = congruence(pose.Q, A);
+  if (has_quaternion(body.motion)) A = congruence(pose.Q, A);
   return congruence_z(body.gamma, congruence_x(body.alpha, congruence_z(pose.turn, A)));
 }
 template <class T>
 Matrix3<T> up(const Body& body, const JointPose<T>& pose, Matrix3<T> A) {
-  if (body.motion == Motion::kFloating) A = pose.Q * A * transpose(pose.Q);
+  if (has_quaternion(body.motion)) A = pose.Q * A * transpose(pose.Q);
   return congruence_z(body.gamma, congruence_x(body.alpha, congruence_z(pose.turn, A)));
 }
 

@@ -78,6 +78,12 @@ ARBOC_INLINE void add_joint_motion(const Body& body, const T* v, const T* a, con
       motion.dv.z = motion.dv.z + (s.x * ly - s.y * lx);
       break;
     }
+    case Motion::kSpherical: {
+      const Vector3<T> o{v[body.v], v[body.v + 1], v[body.v + 2]};
+      motion.w = W + o;
+      motion.dw = motion.dw + cross(W, o) + Vector3<T>{acc(0), acc(1), acc(2)};
+      break;
+    }
     case Motion::kFloating: {
       const Vector3<T> l{v[body.v], v[body.v + 1], v[body.v + 2]};
       const Vector3<T> o{v[body.v + 3], v[body.v + 4], v[body.v + 5]};

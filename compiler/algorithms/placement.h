@@ -58,7 +58,7 @@ struct Placements {
     for (int i = 0; i < 3; ++i) {
       own.stem[i] = rotate_back_x(body.alpha, rotate_back_z(body.gamma, parent.row[i]));
       own.row[i] = rotate_back_z(pose.turn, own.stem[i]);
-      if (body.motion == Motion::kFloating) own.row[i] = transpose_apply(pose.Q, own.row[i]);
+      if (has_quaternion(body.motion)) own.row[i] = transpose_apply(pose.Q, own.row[i]);
     }
   }
 };

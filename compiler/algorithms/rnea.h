@@ -25,7 +25,7 @@ std::vector<NeededDiagonal> needed_diagonals(const Tree& tree) {
     NeededDiagonal& parent = needed[body.parent];
     for (int k = 0; k < 3; ++k) {
       own.entry[k] = own.entry[k] || !vanishes(body.inertia.h[k]);
-      const bool slides = body.motion != Motion::kRevolute;
+      const bool slides = body.motion != Motion::kRevolute && body.motion != Motion::kSpherical;
       parent.entry[k] = parent.entry[k] || !vanishes(body.c[k]) || slides;
     }
   }

@@ -25,6 +25,7 @@ inline int component(Motion motion, int d) {
     case Motion::kRevolute: return 5;
     case Motion::kPrismatic: return 2;
     case Motion::kPlanar: return d == 2 ? 5 : d;
+    case Motion::kSpherical: return d + 3;
     default: return d;
   }
 }
@@ -40,6 +41,11 @@ ARBOC_INLINE void for_each_joint_force(Motion motion, const Wrench<T>& wrench, U
     case Motion::kPlanar:
       use(0, f.x);
       use(1, f.y);
+      use(2, n.z);
+      break;
+    case Motion::kSpherical:
+      use(0, n.x);
+      use(1, n.y);
       use(2, n.z);
       break;
     case Motion::kFloating:

@@ -25,18 +25,21 @@ std::string tree_text(const DynamicTree& tree) {
   std::string out = fmt::format("  tree.nq = {};\n  tree.nv = {};\n  tree.gravity = {};\n", tree.nq,
                                 tree.nv, text(tree.gravity));
   out += "  using arboc::Motion;\n";
-  constexpr const char* kMotions[] = {"kWorld", "kRevolute", "kPrismatic", "kPlanar", "kFloating"};
+  constexpr const char* kMotions[] = {"kWorld",  "kRevolute", "kPrismatic",
+                                      "kPlanar", "kFloating", "kSpherical"};
   for (const BodyOf<double>& b : tree.body) {
     const Symmetric3<double>& S = b.inertia.Sigma;
     out += fmt::format(
-        "  tree.body.push_back({{{{\"\", \"\", {}, Motion::{}, {}, {}, {}, {}, {}, {}, {}}}, {},\n"
+        "  tree.body.push_back({{{{\"\", \"\", {}, Motion::{}, {}, {}, {}, {}, {}, {}, {}, {}}}, "
+        "{},\n"
         "                       {{{}, {}, {{{}, {}, {}, {}, {}, {}}}}},\n"
         "                       {{{}, {}, {}, {}, {}}}}});\n",
         b.parent, kMotions[static_cast<int>(b.motion)], text(b.gamma), text(b.alpha), text(b.theta),
-        b.q, b.v, literal(b.multiplier), literal(b.offset), text(b.c), literal(b.inertia.m),
-        text(b.inertia.h), literal(S.xx), literal(S.yy), literal(S.zz), literal(S.xy),
-        literal(S.xz), literal(S.yz), literal(b.forces.damping), literal(b.forces.friction),
-        literal(b.forces.stiffness), literal(b.forces.neutral), literal(b.forces.rotor));
+        b.q, b.v, literal(b.multiplier), literal(b.offset), b.circle, text(b.c),
+        literal(b.inertia.m), text(b.inertia.h), literal(S.xx), literal(S.yy), literal(S.zz),
+        literal(S.xy), literal(S.xz), literal(S.yz), literal(b.forces.damping),
+        literal(b.forces.friction), literal(b.forces.stiffness), literal(b.forces.neutral),
+        literal(b.forces.rotor));
   }
   for (const FrameOf<double>& f : tree.frame) {
     const auto& R = f.R;

@@ -132,6 +132,14 @@ void add_model_options(CLI::App& app, Common& common) {
       ->capture_default_str()
       ->type_name("TOL")
       ->group("Model");
+  app.add_option("--continuous", m.continuous, "coordinates of continuous joints")
+      ->transform(choice({"angle", "cos-sin"}))
+      ->default_str("angle")
+      ->type_name("angle|cos-sin")
+      ->group("Model");
+  app.add_flag("--expand", m.expand,
+               "take planar, floating and spherical joints as chains of single axes")
+      ->group("Model");
   add_subchain_options(app, common);
   app.add_option("--max-dof", common.compile.max_dof, "refuse to trace larger models")
       ->check(count())

@@ -85,11 +85,12 @@ std::vector<Values> read_states(const EvalOptions& options, const Compilation& c
 void warn_about_quaternions(const Model& model, const std::vector<Values>& states) {
   const Coordinates at = coordinates(model);
   for (size_t k = 0; k < model.joints.size(); ++k) {
-    if (model.joints[k].type != JointType::kFloating) continue;
+    const int quaternion = quaternion_at(model.joints[k].type);
+    if (quaternion < 0) continue;
+    const auto first = static_cast<size_t>(at.joint[k].q + quaternion);
     for (size_t s = 0; s < states.size(); ++s) {
       double norm2 = 0;
-      for (size_t i = 3; i < 7; ++i)
-        norm2 += std::pow(states[s].at("q")[static_cast<size_t>(at.joint[k].q) + i], 2);
+      for (size_t i = first; i < first + 4; ++i) norm2 += std::pow(states[s].at("q")[i], 2);
       if (std::fabs(norm2 - 1) < 1e-9) continue;
       fmt::print(
           stderr,

@@ -31,12 +31,12 @@ ordered_json joint_json(const Model& model, const Coordinates& at, size_t k) {
                    {"type", name(joint.type)},
                    {"parent", link(joint.parent)},
                    {"child", link(joint.child)}};
-  if (nv(joint.type) == 0) return row;
+  if (nv(joint) == 0) return row;
   row["q"] = at.joint[k].q;
   row["v"] = at.joint[k].v;
-  row["nq"] = joint.mimic ? 0 : nq(joint.type);
-  row["nv"] = joint.mimic ? 0 : nv(joint.type);
-  if (joint.type != JointType::kFloating) row["axis"] = {joint.axis.x, joint.axis.y, joint.axis.z};
+  row["nq"] = joint.mimic ? 0 : nq(joint);
+  row["nv"] = joint.mimic ? 0 : nv(joint);
+  if (has_axis(joint.type)) row["axis"] = {joint.axis.x, joint.axis.y, joint.axis.z};
   row["limits"] = {{"lower", finite(joint.limits.lower)},
                    {"upper", finite(joint.limits.upper)},
                    {"velocity", finite(joint.limits.velocity)},
@@ -95,7 +95,7 @@ void print_text(const Model& model) {
   fmt::print("{:>4} {:>4}  {:<11} {:<28} {:<28} {}\n", "q", "v", "type", "joint", "link", "limits");
   for (size_t k = 0; k < model.joints.size(); ++k) {
     const Joint& joint = model.joints[k];
-    if (nv(joint.type) == 0) continue;
+    if (nv(joint) == 0) continue;
     std::string extra = range(joint.limits);
     if (joint.mimic)
       extra += fmt::format(" = {} * {} + {}", shortest(joint.mimic->multiplier),

@@ -28,8 +28,6 @@ bool has_bounds(JointType type) {
   return type == JointType::kRevolute || type == JointType::kPrismatic;
 }
 
-bool has_axis(JointType type) { return type != JointType::kFixed && type != JointType::kFloating; }
-
 /// Not for fixed joints: urdfdom drops theirs.
 bool has_dynamics(const Joint& joint) { return joint.damping != 0 || joint.friction != 0; }
 
@@ -96,8 +94,8 @@ int urdfdom_type(JointType type) {
     case JointType::kPrismatic: return urdf::Joint::PRISMATIC;
     case JointType::kFloating: return urdf::Joint::FLOATING;
     case JointType::kPlanar: return urdf::Joint::PLANAR;
+    default: return urdf::Joint::UNKNOWN;  // no URDF joint
   }
-  return urdf::Joint::UNKNOWN;
 }
 
 /// Compares the fields of one link or joint.

@@ -21,9 +21,19 @@ class Tangent {
     switch (body.motion) {
       case Motion::kWorld: break;
       case Motion::kRevolute:
-      case Motion::kPrismatic: seed(body.v, q(body, 0), 1.0); break;
+      case Motion::kPrismatic: add_single(body); break;
       case Motion::kPlanar: add_planar(body, i); break;
       case Motion::kFloating: add_floating(body, i); break;
+      case Motion::kSpherical: add_turn(body, 0, body.v, i); break;
+    }
+  }
+
+  void add_single(const Body& body) {
+    if (body.circle) {
+      seed(body.v, q(body, 0), -q(body, 1));
+      seed(body.v, q(body, 1), q(body, 0));
+    } else {
+      seed(body.v, q(body, 0), 1.0);
     }
   }
 
@@ -38,15 +48,23 @@ class Tangent {
     for (int d = 0; d < 3; ++d) out_[static_cast<size_t>(body.v + d)].group = group;
   }
 
-  /// R' = R [e], quaternion' = quaternion (e, 0) / 2.
   void add_floating(const Body& body, int group) {
-    const Expr quaternion[] = {q(body, 3), q(body, 4), q(body, 5), q(body, 6)};
+    const Matrix3<Expr> R = add_turn(body, 3, body.v + 3, group);
+    for (int k = 0; k < 3; ++k) {
+      for (int i = 0; i < 3; ++i) seed(body.v + k, q(body, i), R(i, k));
+      out_[static_cast<size_t>(body.v + k)].group = group;
+    }
+  }
+
+  /// R' = R [e], quaternion' = quaternion (e, 0) / 2; returns R.
+  Matrix3<Expr> add_turn(const Body& body, int first, int v, int group) {
+    const Expr quaternion[] = {q(body, first), q(body, first + 1), q(body, first + 2),
+                               q(body, first + 3)};
     const Vector3<Expr> u{quaternion[0], quaternion[1], quaternion[2]};
     const Matrix3<Expr> R = rotation_of_quaternion(quaternion);
     for (int k = 0; k < 3; ++k) {
-      const int along = body.v + k, about = body.v + 3 + k, next = (k + 1) % 3, last = (k + 2) % 3;
+      const int about = v + k, next = (k + 1) % 3, last = (k + 2) % 3;
       for (int i = 0; i < 3; ++i) {
-        seed(along, q(body, i), R(i, k));
         seed(about, R(i, next), R(i, last));
         seed(about, R(i, last), -R(i, next));
       }
@@ -54,8 +72,9 @@ class Tangent {
       seed(about, quaternion[next], 0.5 * u[last]);
       seed(about, quaternion[last], -0.5 * u[next]);
       seed(about, quaternion[3], -0.5 * u[k]);
-      out_[static_cast<size_t>(along)].group = out_[static_cast<size_t>(about)].group = group;
+      out_[static_cast<size_t>(about)].group = group;
     }
+    return R;
   }
 
   const Expr& q(const Body& body, int k) const { return q_[static_cast<size_t>(body.q + k)]; }

@@ -60,9 +60,10 @@ void snap_pose(const Model& model, Pose& pose, const std::string& element, Locat
   }
 }
 
-void snap_axis(const Model& model, Joint& joint, double tolerance, Diagnostics& diagnostics) {
+void snap_axis(const Model& model, const Joint& joint, Vector3<double>& axis, double tolerance,
+               Diagnostics& diagnostics) {
   for (int i = 0; i < 3; ++i) {
-    double& x = joint.axis[i];
+    double& x = axis[i];
     for (const long k : {-6L, -5L, -4L, -3L, -2L, -1L, 0L, 1L, 2L, 3L, 4L, 5L, 6L}) {
       const double sine = exact_sincos(degrees15(k)).sin;
       const double error = std::fabs(x - sine);
@@ -80,8 +81,8 @@ void snap(Model& model, double tolerance, Diagnostics& diagnostics) {
   for (Joint& joint : model.joints) {
     const std::string element = fmt::format("joint '{}'", joint.name);
     snap_pose(model, joint.origin, element, joint.location, tolerance, diagnostics);
-    if (nv(joint.type) > 0 && joint.type != JointType::kFloating)
-      snap_axis(model, joint, tolerance, diagnostics);
+    if (has_axis(joint.type)) snap_axis(model, joint, joint.axis, tolerance, diagnostics);
+    for (JointAxis& a : joint.axes) snap_axis(model, joint, a.axis, tolerance, diagnostics);
   }
   for (Link& link : model.links) {
     if (link.inertial)
@@ -153,7 +154,11 @@ Model configure(Model model, const ModelOptions& options, Diagnostics& diagnosti
   if (!options.root.empty() || !options.tips.empty())
     keep_subchain(model, options.root, options.tips, diagnostics);
   if (options.base == Base::kFloating) add_floating_root(model);
+  if (options.expand) expand_joints(model, diagnostics);
+  if (options.continuous == ContinuousAs::kCosSin) unbind_continuous_joints(model, diagnostics);
   reorder(model, depth_first(model, options.order));
+  split_joints(model);
+  reorder(model, depth_first(model, JointOrder::kFile));
   return model;
 }
 

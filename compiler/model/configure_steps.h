@@ -19,4 +19,19 @@ void lock_joints(Model& model, const std::vector<Lock>& locks, Diagnostics& diag
 void keep_subchain(Model& model, const std::string& root, const std::vector<std::string>& tips,
                    Diagnostics& diagnostics);
 
+/// Planar, floating and spherical joints become multi-axis ones that reach the same places: planar
+/// x, y, then a turn about its axis; floating x, y, z, then turns about z, y, x; spherical turns
+/// about z, y, x.  Says so in notes.
+void expand_joints(Model& model, Diagnostics& diagnostics);
+
+/// Makes chains of joints with one freedom each, and massless links between, of joints of several
+/// axes; of a helical joint a slide that follows the turn behind it.  A joint NAME that moves LINK
+/// becomes NAME.1 and so on, or what the axes are called, through LINK.1 and so on; the turn of a
+/// helical joint keeps its name, the slide is NAME.slide.  `model` is sorted, and afterwards is
+/// not.
+void split_joints(Model& model);
+
+/// Continuous joints become unbounded ones, but for those that follow another or are followed.
+void unbind_continuous_joints(Model& model, Diagnostics& diagnostics);
+
 }  // namespace arboc

@@ -38,18 +38,36 @@ Matrix3<double> rotation_of(const double* quaternion) {
            {k * (x * z - w * y), k * (y * z + w * x), 1 - k * (x * x + y * y)}}};
 }
 
+/// Of joints with several axes.
+Displacement along(const std::vector<JointAxis>& axes, const std::vector<double>& q) {
+  Displacement result;
+  for (size_t i = 0; i < axes.size(); ++i) {
+    if (axes[i].prismatic)
+      result.p = result.p + result.R * (q[i] * axes[i].axis);
+    else
+      result.R = result.R * rotation_about(axes[i].axis, q[i]);
+  }
+  return result;
+}
+
 /// Of the child's frame at q, in its frame at q = 0.
 Displacement displacement(const Joint& joint, const std::vector<double>& q) {
   switch (joint.type) {
     case JointType::kFixed: return {};
     case JointType::kRevolute:
     case JointType::kContinuous: return {rotation_about(joint.axis, q[0]), {}};
+    case JointType::kUnbounded: return {rotation_about(joint.axis, std::atan2(q[1], q[0])), {}};
     case JointType::kPrismatic: return {Matrix3<double>::identity(), q[0] * joint.axis};
+    case JointType::kHelical:
+      return {rotation_about(joint.axis, q[0]), (joint.pitch * q[0]) * joint.axis};
     case JointType::kPlanar: {
       const Matrix3<double> F = axis_frame(joint.axis);
       return {rotation_about(joint.axis, q[2]), q[0] * column(F, 0) + q[1] * column(F, 1)};
     }
     case JointType::kFloating: return {rotation_of(q.data() + 3), {q[0], q[1], q[2]}};
+    case JointType::kSpherical: return {rotation_of(q.data()), {}};
+    case JointType::kUniversal:
+    case JointType::kMultiAxis: return along(joint.axes, q);
   }
   return {};
 }
@@ -59,13 +77,13 @@ void check(const Joint& joint, const Lock& lock) {
     throw UsageError(printable(fmt::format("--lock: {} {}", named("joint", joint.name), why)));
   };
   if (joint.type == JointType::kFixed) refuse("is fixed");
-  const auto n = static_cast<size_t>(nq(joint.type));
+  const auto n = static_cast<size_t>(nq(joint));
   if (lock.q.size() != n)
     refuse(fmt::format("is {} and has {} coordinate{}, not {}", name(joint.type), n,
                        n == 1 ? "" : "s", lock.q.size()));
-  if (joint.type != JointType::kFloating) return;
+  if (quaternion_at(joint.type) < 0) return;
   double norm = 0;
-  for (size_t i = 3; i < n; ++i) norm += lock.q[i] * lock.q[i];
+  for (size_t i = n - 4; i < n; ++i) norm += lock.q[i] * lock.q[i];
   if (!(std::fabs(std::sqrt(norm) - 1) <= 1e-6))
     refuse(fmt::format("needs a quaternion x y z w of length 1, not {}", std::sqrt(norm)));
 }

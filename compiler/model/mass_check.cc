@@ -92,7 +92,7 @@ class MassCheck {
  private:
   /// The link that a moving joint carries; what is fixed to it is merged into it.
   bool is_moving_top(int k) const {
-    return joint_of_[at(k)] >= 0 && nv(model_.joints[at(joint_of_[at(k)])].type) > 0;
+    return joint_of_[at(k)] >= 0 && nv(model_.joints[at(joint_of_[at(k)])]) > 0;
   }
 
   void check_signs(const Link& link) {

@@ -35,23 +35,56 @@ const char* name(JointType type) {
     case JointType::kFixed: return "fixed";
     case JointType::kRevolute: return "revolute";
     case JointType::kContinuous: return "continuous";
+    case JointType::kUnbounded: return "unbounded";
     case JointType::kPrismatic: return "prismatic";
+    case JointType::kHelical: return "helical";
     case JointType::kFloating: return "floating";
     case JointType::kPlanar: return "planar";
+    case JointType::kSpherical: return "spherical";
+    case JointType::kUniversal: return "universal";
+    case JointType::kMultiAxis: return "multi-axis";
   }
   return "fixed";
 }
 
 int nv(JointType type) {
   switch (type) {
-    case JointType::kFixed: return 0;
-    case JointType::kPlanar: return 3;
+    case JointType::kFixed:
+    case JointType::kMultiAxis: return 0;
+    case JointType::kUniversal: return 2;
+    case JointType::kPlanar:
+    case JointType::kSpherical: return 3;
     case JointType::kFloating: return 6;
     default: return 1;
   }
 }
 
-int nq(JointType type) { return type == JointType::kFloating ? 7 : nv(type); }
+int nq(JointType type) {
+  const bool redundant = type == JointType::kUnbounded || quaternion_at(type) >= 0;
+  return nv(type) + (redundant ? 1 : 0);
+}
+
+int nv(const Joint& joint) {
+  return joint.axes.empty() ? nv(joint.type) : static_cast<int>(joint.axes.size());
+}
+
+int nq(const Joint& joint) { return joint.axes.empty() ? nq(joint.type) : nv(joint); }
+
+bool has_axis(JointType type) {
+  switch (type) {
+    case JointType::kFixed:
+    case JointType::kFloating:
+    case JointType::kSpherical:
+    case JointType::kUniversal:
+    case JointType::kMultiAxis: return false;
+    default: return true;
+  }
+}
+
+int quaternion_at(JointType type) {
+  if (type == JointType::kFloating) return 3;
+  return type == JointType::kSpherical ? 0 : -1;
+}
 
 Matrix3<double> axis_frame(const Vector3<double>& axis) {
   const auto columns = [](const Vector3<double>& x, const Vector3<double>& y,
@@ -80,8 +113,8 @@ Coordinates coordinates(const Model& model) {
     const Joint& joint = model.joints[k];
     if (joint.type == JointType::kFixed || joint.mimic) continue;
     result.joint[k] = {result.nq, result.nv, 1, 0};
-    result.nq += nq(joint.type);
-    result.nv += nv(joint.type);
+    result.nq += nq(joint);
+    result.nv += nv(joint);
   }
   for (size_t k = 0; k < model.joints.size(); ++k) {
     if (!model.joints[k].mimic) continue;

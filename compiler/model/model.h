@@ -41,9 +41,22 @@ struct Link {
   Location location;
 };
 
-enum class JointType { kFixed, kRevolute, kContinuous, kPrismatic, kFloating, kPlanar };
+enum class JointType {
+  kFixed,
+  kRevolute,
+  kContinuous,
+  kUnbounded,  ///< a continuous joint whose coordinates are cosine and sine of the angle
+  kPrismatic,
+  kFloating,
+  kPlanar,
+  kSpherical,
+  // Only before configure(), which makes several joints of one:
+  kHelical,    ///< turns by q about the axis and slides by pitch * q along it
+  kUniversal,  ///< kMultiAxis with two rotations
+  kMultiAxis,  ///< moves about or along several axes, one after the other
+};
 
-/// The URDF word for a joint type.
+/// The URDF word for a joint type, or one like it.
 const char* name(JointType type);
 
 struct Limits {
@@ -62,15 +75,26 @@ struct Mimic {
   Location location{};
 };
 
+/// One of the axes of a joint that has several.
+struct JointAxis {
+  bool prismatic = false;
+  Vector3<double> axis{1, 0, 0};  ///< unit, in the frame that the axes before this one have moved
+  std::string name{};             ///< suffix of its joint after configure(); empty: its number
+  Limits limits{};
+};
+
 struct Joint {
   std::string name;
   JointType type = JointType::kFixed;
   int parent = -1;  ///< link index; -1 is the world
   int child = -1;   ///< link index
   Pose origin;      ///< of the child link's frame in the parent's, at q = 0
-  /// Unit vector in the child's frame: revolute, continuous and prismatic move about or along it;
-  /// planar moves in the plane normal to it.
+  /// Unit vector in the child's frame: revolute, continuous, prismatic and helical joints move
+  /// about or along it; planar ones move in the plane normal to it.
   Vector3<double> axis{1, 0, 0};
+  double pitch = 0;  ///< m/rad, of a helical joint
+  std::vector<JointAxis>
+      axes;  ///< of a universal or multi-axis joint, from the parent to the child
   Limits limits;
   double damping = 0;        ///< N m s/rad or N s/m
   double friction = 0;       ///< N m or N
@@ -94,10 +118,20 @@ struct Model {
   Vector3<double> gravity{0, 0, -9.81};  ///< m/s^2, in the root's fixed frame
 };
 
-/// Coordinates of one joint: 0/0 fixed, 1/1 revolute, continuous and prismatic, 3/3 planar
-/// (x, y, theta | vx, vy, wz), 7/6 floating (x y z qx qy qz qw | linear, angular, body frame).
+/// Coordinates of one joint: 0/0 fixed, 1/1 revolute, continuous, prismatic and helical, 2/1
+/// unbounded (cos, sin | rate), 3/3 planar (x, y, theta | vx, vy, wz), 7/6 floating (x y z qx qy qz
+/// qw | linear, angular, body frame), 4/3 spherical (qx qy qz qw | angular, body frame), and one
+/// and its rate an axis of a universal or multi-axis joint.
+int nq(const Joint& joint);
+int nv(const Joint& joint);
+/// The same by type alone; behind configure() a type says all.
 int nq(JointType type);
 int nv(JointType type);
+
+/// Whether Joint::axis means something.
+bool has_axis(JointType type);
+/// Where a joint's quaternion begins among its coordinates; -1 if it has none.
+int quaternion_at(JointType type);
 
 /// Axes of a planar joint's coordinates in the child frame: columns x, y and z = axis.  The
 /// identity for axis z; for x and y the cyclic permutation (y z x, z x y); for a negative axis the
@@ -108,6 +142,7 @@ Matrix3<double> axis_frame(const Vector3<double>& axis);
 enum class Base { kFixed, kFloating };
 enum class MimicPolicy { kFollow, kIndependent };
 enum class JointOrder { kFile, kAlphabetical };
+enum class ContinuousAs { kAngle, kCosSin };
 
 /// A joint that is to be held at a place.
 struct Lock {
@@ -119,7 +154,9 @@ struct ModelOptions {
   Base base = Base::kFixed;
   MimicPolicy mimic = MimicPolicy::kFollow;
   JointOrder order = JointOrder::kFile;
-  std::string name;  ///< replaces the model's name; empty: keep
+  ContinuousAs continuous = ContinuousAs::kAngle;
+  bool expand = false;  ///< joints of several freedoms become chains of axes, without quaternions
+  std::string name;     ///< replaces the model's name; empty: keep
   std::vector<Lock> locks;
   std::string root;               ///< link whose subtree is kept; empty: the model's root
   std::vector<std::string> tips;  ///< links that the kept chains lead to; empty: all
@@ -129,8 +166,10 @@ struct ModelOptions {
 
 /// Applies the options: snaps written angles and axis components (each reported as a note), frees
 /// mimic followers, makes locked joints fixed ones, keeps the subchain between root and tips,
-/// attaches the root to the world by a floating joint ("root_joint"), and sorts links and joints
-/// depth first (children in file order, or by joint name bytewise).  Afterwards parents come before
+/// attaches the root to the world by a floating joint ("root_joint"), takes joints of several
+/// freedoms as chains of axes, gives continuous joints cosine and sine for coordinates, makes a
+/// chain of joints of every helical, universal and multi-axis one, and sorts links and joints depth
+/// first (children in file order, or by joint name bytewise).  Afterwards parents come before
 /// children: joints[k].parent is the root or the child of an earlier joint.  Linear in the number
 /// of links; no recursion.  Throws UsageError for names that the model lacks, InputError if a kept
 /// joint follows one that is cut off.

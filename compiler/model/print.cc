@@ -51,8 +51,10 @@ std::string print(const Model& model) {
   for (const Joint& joint : model.joints) {
     out += fmt::format("joint '{}': {} {} -> {} {}", printable(joint.name), name(joint.type),
                        link_name(joint.parent), link_name(joint.child), text(joint.origin));
-    if (nv(joint.type) > 0 && joint.type != JointType::kFloating)
-      out += fmt::format(" axis({})", text(joint.axis));
+    if (has_axis(joint.type)) out += fmt::format(" axis({})", text(joint.axis));
+    if (joint.pitch != 0) out += fmt::format(" pitch({})", shortest(joint.pitch));
+    for (const JointAxis& a : joint.axes)
+      out += fmt::format(" {}({})", a.prismatic ? "along" : "about", text(a.axis));
     if (std::isfinite(joint.limits.lower) || std::isfinite(joint.limits.upper))
       out +=
           fmt::format(" limits({} {})", shortest(joint.limits.lower), shortest(joint.limits.upper));

@@ -73,7 +73,7 @@ void report_dropped(const Model& model, const std::vector<char>& kept_link,
   for (size_t k = 0; k < model.joints.size(); ++k) {
     if (kept_joint[k]) continue;
     ++joints;
-    if (nv(model.joints[k].type) > 0) ++moving;
+    if (nv(model.joints[k]) > 0) ++moving;
   }
   diagnostics.report({Severity::kNote,
                       model.file,

@@ -108,7 +108,7 @@ bool is_one_tree(Model& model, const std::vector<int>& joint_of, Findings& findi
   return findings.error_count() == before;
 }
 
-bool one_coordinate(const Joint& j) { return nv(j.type) == 1; }
+bool one_coordinate(const Joint& j) { return nv(j) == 1; }
 
 void check_mimic_ends(const Model& model, Findings& findings) {
   for (const Joint& j : model.joints) {

@@ -19,9 +19,31 @@ Mat3<S> rotation_about(const Eigen::Vector3d& axis, const S& angle) {
   return c * Mat3<S>::Identity() + s * cross + (1. - c) * along;
 }
 
+/// The last four entries.
 template <class S>
 Eigen::Quaternion<S> quaternion(const VectorOf<S>& q) {
-  return {q[6], q[3], q[4], q[5]};
+  const auto n = q.size();
+  return {q[n - 1], q[n - 4], q[n - 3], q[n - 2]};
+}
+
+/// The quaternion of q, turned by w about the child's axes.
+template <class S>
+Eigen::Matrix<S, 4, 1> turned(const VectorOf<S>& q, const Vec3<S>& w) {
+  const S quarter = w.cwiseProduct(w).sum() / 4.;
+  const Vec3<S> half = S(scalar::sinc(quarter) / 2.) * w;
+  const Eigen::Quaternion<S> turn(scalar::cosine(quarter), half.x(), half.y(), half.z());
+  return (quaternion(q) * turn).coeffs();
+}
+
+/// Its inverse: the w that turns the quaternion of q0 to that of q1.
+template <class S>
+Vec3<S> turn_between(const VectorOf<S>& q0, const VectorOf<S>& q1) {
+  const Eigen::Quaternion<S> a = quaternion(q0), b = quaternion(q1);
+  const Eigen::Quaternion<S> turn = Eigen::Quaternion<S>(a.w(), -a.x(), -a.y(), -a.z()) * b;
+  const double sign = scalar::real_part(turn.w()) < 0 ? -1 : 1;
+  const Vec3<S> half(sign * turn.x(), sign * turn.y(), sign * turn.z());
+  const S nn = half.cwiseProduct(half).sum();
+  return S(2. * scalar::angle_ratio(nn, S(sign * turn.w()))) * half;
 }
 
 template <class S>
@@ -31,12 +53,9 @@ VectorOf<S> integrate_floating(const VectorOf<S>& q, const VectorOf<S>& dv) {
   const Mat3<S> W = spatial6::skew(w);
   const Vec3<S> Wu = W * u;
   const Vec3<S> p = u + scalar::versine(xx) * Wu + scalar::third(xx) * (W * Wu);
-  const S quarter = xx / 4.;
-  const Vec3<S> half = S(scalar::sinc(quarter) / 2.) * w;
-  const Eigen::Quaternion<S> turn(scalar::cosine(quarter), half.x(), half.y(), half.z());
   VectorOf<S> result(7);
   result.template head<3>() = q.template head<3>() + quaternion(q).toRotationMatrix() * p;
-  result.template tail<4>() = (quaternion(q) * turn).coeffs();
+  result.template tail<4>() = turned<S>(q, w);
   return result;
 }
 
@@ -44,14 +63,9 @@ VectorOf<S> integrate_floating(const VectorOf<S>& q, const VectorOf<S>& dv) {
 /// 1 + versine W + third W^2 that made p of u.
 template <class S>
 VectorOf<S> difference_floating(const VectorOf<S>& q0, const VectorOf<S>& q1) {
-  const Eigen::Quaternion<S> a = quaternion(q0), b = quaternion(q1);
-  const Eigen::Quaternion<S> turn = Eigen::Quaternion<S>(a.w(), -a.x(), -a.y(), -a.z()) * b;
-  const double sign = scalar::real_part(turn.w()) < 0 ? -1 : 1;
-  const Vec3<S> half(sign * turn.x(), sign * turn.y(), sign * turn.z());
-  const S nn = half.cwiseProduct(half).sum();
-  const Vec3<S> w = S(2. * scalar::angle_ratio(nn, S(sign * turn.w()))) * half;
-  const Vec3<S> p =
-      a.toRotationMatrix().transpose() * (q1.template head<3>() - q0.template head<3>());
+  const Vec3<S> w = turn_between(q0, q1);
+  const Vec3<S> p = quaternion(q0).toRotationMatrix().transpose() *
+                    (q1.template head<3>() - q0.template head<3>());
   const Mat3<S> W = spatial6::skew(w);
   const Vec3<S> Wp = W * p;
   VectorOf<S> result(6);
@@ -97,12 +111,19 @@ PlacementOf<S> joint_placement(const Joint& joint, const VectorOf<S>& q) {
     case JointType::kFixed: return {};
     case JointType::kRevolute:
     case JointType::kContinuous: return {rotation_about(axis, q[0]), zero};
+    case JointType::kUnbounded: {
+      const Mat3<S> along = (axis * axis.transpose()).cast<S>();
+      const Mat3<S> across = spatial6::skew(axis).cast<S>();
+      return {q[0] * (Mat3<S>::Identity() - along) + q[1] * across + along, zero};
+    }
     case JointType::kPrismatic: return {Mat3<S>::Identity(), axis.cast<S>() * q[0]};
     case JointType::kFloating: return {quaternion(q).toRotationMatrix(), q.template head<3>()};
+    case JointType::kSpherical: return {quaternion(q).toRotationMatrix(), zero};
     case JointType::kPlanar: {
       const Mat3<S> F = to_eigen(axis_frame(joint.axis)).cast<S>();
       return {rotation_about(axis, q[2]), F.col(0) * q[0] + F.col(1) * q[1]};
     }
+    default: break;  // not there behind configure()
   }
   return {};
 }
@@ -112,8 +133,10 @@ Eigen::MatrixXd motion_subspace(const Joint& joint) {
   switch (joint.type) {
     case JointType::kFixed: break;
     case JointType::kRevolute:
-    case JointType::kContinuous: S.col(0).head<3>() = to_eigen(joint.axis); break;
+    case JointType::kContinuous:
+    case JointType::kUnbounded: S.col(0).head<3>() = to_eigen(joint.axis); break;
     case JointType::kPrismatic: S.col(0).tail<3>() = to_eigen(joint.axis); break;
+    case JointType::kSpherical: S.topRows<3>().setIdentity(); break;
     case JointType::kFloating:
       S.bottomLeftCorner<3, 3>().setIdentity();
       S.topRightCorner<3, 3>().setIdentity();
@@ -122,6 +145,7 @@ Eigen::MatrixXd motion_subspace(const Joint& joint) {
       S.bottomLeftCorner<3, 2>() = to_eigen(axis_frame(joint.axis)).leftCols<2>();
       S.col(2).head<3>() = to_eigen(joint.axis);
       break;
+    default: break;  // not there behind configure()
   }
   return S;
 }
@@ -131,6 +155,8 @@ VectorOf<S> integrate_joint(const Joint& joint, const VectorOf<S>& q,
                             const std::type_identity_t<VectorOf<S>>& dv) {
   if (joint.type == JointType::kFloating) return integrate_floating<S>(q, dv);
   if (joint.type == JointType::kPlanar) return integrate_planar<S>(q, dv);
+  if (joint.type == JointType::kSpherical) return turned<S>(q, dv);
+  if (joint.type == JointType::kUnbounded) return turned(S(dv[0]), S(q[0]), S(q[1]));
   return q + dv;
 }
 
@@ -138,6 +164,11 @@ template <class S>
 VectorOf<S> joint_difference(const Joint& joint, const VectorOf<S>& q0, const VectorOf<S>& q1) {
   if (joint.type == JointType::kFloating) return difference_floating<S>(q0, q1);
   if (joint.type == JointType::kPlanar) return difference_planar<S>(q0, q1);
+  if (joint.type == JointType::kSpherical) return turn_between<S>(q0, q1);
+  if (joint.type == JointType::kUnbounded) {
+    const S c = q0[0] * q1[0] + q0[1] * q1[1], s = q0[0] * q1[1] - q0[1] * q1[0];
+    return VectorOf<S>::Constant(1, scalar::angle_of(s, c));
+  }
   return q1 - q0;
 }
 

@@ -41,15 +41,17 @@ PlacementOf<S> joint_placement(const Joint& joint, const VectorOf<S>& q);
 Eigen::MatrixXd motion_subspace(const Joint& joint);
 
 /// q moved by the tangent vector `dv` (nv(type) entries, body frame): the pose becomes
-/// pose * exp(dv) with the exponential of SE(3) for a floating joint and of SE(2) for a planar
-/// one; a sum for the others.  A quaternion stays a unit up to rounding.
+/// pose * exp(dv) with the exponential of SE(3) for a floating joint, of SO(3) for a spherical and
+/// of SE(2) for a planar one, and an unbounded one turns; a sum for the others.  A quaternion stays
+/// a unit up to rounding.
 template <class S>
 VectorOf<S> integrate_joint(const Joint& joint, const VectorOf<S>& q,
                             const std::type_identity_t<VectorOf<S>>& dv);
 
-/// The dv with integrate_joint(q0, dv) = q1 (of a quaternion up to its sign); of a floating joint
-/// the one that turns by less than pi.  Angles are not wrapped: 2 pi is a turn.  Not finite for a
-/// planar joint that moves and turns by a multiple of 2 pi, which no dv does.
+/// The dv with integrate_joint(q0, dv) = q1 (of a quaternion up to its sign); of a floating,
+/// spherical or unbounded joint the one that turns by less than pi.  Angles are not wrapped: 2 pi
+/// is a turn.  Not finite for a planar joint that moves and turns by a multiple of 2 pi, which no
+/// dv does.
 template <class S>
 VectorOf<S> joint_difference(const Joint& joint, const VectorOf<S>& q0, const VectorOf<S>& q1);
 

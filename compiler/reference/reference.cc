@@ -122,7 +122,7 @@ VectorOf<S> ReferenceOf<S>::passive(const Body& body, const Vector& q, const Vec
     for (int i = 0; i < v.size(); ++i)
       force[i] += joint.friction * v[i] / std::sqrt(v[i] * v[i] + slow * slow);
   }
-  if (forces_.stiffness && v.size() == 1)
+  if (forces_.stiffness && arboc::nq(joint) == 1)
     force[0] += joint.stiffness * (body.positions(q)[0] - joint.neutral);
   return force;
 }
@@ -180,7 +180,7 @@ S ReferenceOf<S>::potential(const Vector& q) const {
     const Body& body = bodies_[i];
     const spatial6::Vec3<S> c = T[i - 1].p + T[i - 1].R * body.c;
     V -= body.m * gravity_.cast<S>().cwiseProduct(c).sum();
-    if (!forces_.stiffness || body.motion.cols() != 1) continue;
+    if (!forces_.stiffness || arboc::nq(body.joint) != 1) continue;
     const S stretch = body.positions(q)[0] - body.joint.neutral;
     V += body.joint.stiffness * stretch * stretch / 2.;
   }

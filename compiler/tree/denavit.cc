@@ -58,7 +58,7 @@ std::vector<Reframe> denavit_frames(const Draft& draft) {
   std::vector<Reframe> frames(draft.body.size());
   for (size_t i = draft.body.size() - 1; i > 0; --i) {
     const BodyOf<double>& body = draft.body[i].body;
-    if (body.motion == Motion::kFloating) continue;
+    if (has_quaternion(body.motion)) continue;
     Choice choice;
     if (main[i] != 0) {
       const DraftBody& child = draft.body[main[i]];

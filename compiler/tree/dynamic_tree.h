@@ -7,6 +7,7 @@
 // x_parent = E x_i + p with
 //   revolute   E = R Rz(q)            p = c
 //   prismatic  E = R                  p = c + R z q
+//   spherical  E = R R(quaternion)    p = c
 //   planar     E = R Rz(q2)           p = c + R (q0, q1, 0)
 //   floating   E = R R(quaternion)    p = c + R (q0, q1, q2)
 // and the constant R = Rz(gamma) Rx(alpha) Rz(theta): each factor costs 4 operations a vector and
@@ -22,14 +23,22 @@ namespace arboc {
 /// A constant planar rotation.
 using Turn = PlanarRotation<double>;
 
-enum class Motion { kWorld, kRevolute, kPrismatic, kPlanar, kFloating };
+enum class Motion { kWorld, kRevolute, kPrismatic, kPlanar, kFloating, kSpherical };
 
 /// Entries of v that a joint has.
 inline int freedoms(Motion motion) {
-  return motion == Motion::kWorld      ? 0
-         : motion == Motion::kPlanar   ? 3
-         : motion == Motion::kFloating ? 6
-                                       : 1;
+  switch (motion) {
+    case Motion::kWorld: return 0;
+    case Motion::kPlanar:
+    case Motion::kSpherical: return 3;
+    case Motion::kFloating: return 6;
+    default: return 1;
+  }
+}
+
+/// The joint turns its body by a quaternion.
+inline bool has_quaternion(Motion motion) {
+  return motion == Motion::kFloating || motion == Motion::kSpherical;
 }
 
 /// Inertial parameters about the origin of a frame and in its axes: mass, first and second moment,
@@ -53,6 +62,7 @@ struct Body {
   int v = -1;                ///< first coordinate in v, a, tau
   double multiplier = 1;  ///< mimic followers: q_joint = multiplier * q[q] + offset, likewise v, a
   double offset = 0;      ///< m; only prismatic joints keep one, an angle joins theta
+  bool circle = false;    ///< revolute: the coordinates are cosine and sine of the angle
 };
 
 /// What a joint adds by itself to the force that moves it, along its own rate r of coordinate c:

@@ -5,12 +5,14 @@ namespace {
 
 Motion motion(JointType type) {
   switch (type) {
-    case JointType::kFixed: return Motion::kWorld;
     case JointType::kRevolute:
-    case JointType::kContinuous: return Motion::kRevolute;
+    case JointType::kContinuous:
+    case JointType::kUnbounded: return Motion::kRevolute;
     case JointType::kPrismatic: return Motion::kPrismatic;
     case JointType::kPlanar: return Motion::kPlanar;
     case JointType::kFloating: return Motion::kFloating;
+    case JointType::kSpherical: return Motion::kSpherical;
+    default: break;  // fixed; others are not there behind configure()
   }
   return Motion::kWorld;
 }
@@ -28,6 +30,7 @@ Body moving_body(const Model& model, size_t k, const Coordinates& coordinates) {
   body.v = entry.v;
   body.multiplier = entry.multiplier;
   body.offset = entry.offset;
+  body.circle = joint.type == JointType::kUnbounded;
   return body;
 }
 
@@ -40,8 +43,8 @@ NumbersOf<double> numbers(const Model& model, const JointForces& forces) {
     if (!forces.any()) continue;
     result.forces.push_back({forces.damping ? joint.damping : 0,
                              forces.friction ? joint.friction : 0,
-                             forces.stiffness ? joint.stiffness : 0, joint.neutral,
-                             forces.rotor ? joint.rotor_inertia : 0});
+                             forces.stiffness && nq(joint) == 1 ? joint.stiffness : 0,
+                             joint.neutral, forces.rotor ? joint.rotor_inertia : 0});
   }
   for (const Link& link : model.links)
     result.moments.push_back(link.inertial ? mass_moments(*link.inertial) : MassMoments{});

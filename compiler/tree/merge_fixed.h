@@ -27,7 +27,7 @@ void place_child(const Model& model, size_t k, const Coordinates& coordinates,
   }
   DraftBodyOf<S> body;
   static_cast<Body&>(body.body) = moving_body(model, k, coordinates);
-  if (joint.type != JointType::kFloating) body.axis = joint.axis;
+  if (has_axis(joint.type)) body.axis = joint.axis;
   body.R = R;
   body.body.c = p;
   body.body.parent = parent.body;

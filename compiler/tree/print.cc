@@ -14,6 +14,7 @@ const char* word(Motion motion) {
     case Motion::kPrismatic: return "prismatic";
     case Motion::kPlanar: return "planar";
     case Motion::kFloating: return "floating";
+    case Motion::kSpherical: return "spherical";
   }
   return "world";
 }
@@ -47,6 +48,7 @@ std::string text(int index, const BodyOf<double>& body) {
                   word(body.motion), printable(body.joint), body.parent, body.q, body.v);
   if (body.multiplier != 1 || body.offset != 0)
     out += fmt::format(" mimic({} {})", shortest(body.multiplier), shortest(body.offset));
+  if (body.circle) out += " cos-sin";
   out += text("gamma", body.gamma) + text("alpha", body.alpha) + text("theta", body.theta);
   if (!is_zero(body.c)) out += fmt::format(" c({})", text(body.c));
   return out + text(body.inertia) + '\n';

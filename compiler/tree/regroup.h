@@ -2,7 +2,8 @@
 //
 // A mass distribution on a revolute axis moves equally with both bodies: m, h_z, Sigma_zz leave.
 // Behind a prismatic joint nothing turns: all of Sigma leaves.  A planar joint turns and slides,
-// so only Sigma_zz leaves.  What reaches the world is dropped.
+// so only Sigma_zz leaves.  A mass at the centre of a spherical joint stays there.  What reaches
+// the world is dropped.
 #pragma once
 #include "tree/draft.h"
 
@@ -26,6 +27,10 @@ MassMomentsOf<S> take_common(Motion motion, MassMomentsOf<S>& inertia) {
     case Motion::kPlanar:
       common.Sigma.zz = inertia.Sigma.zz;
       inertia.Sigma.zz = S(0);
+      break;
+    case Motion::kSpherical:
+      common.m = inertia.m;
+      inertia.m = S(0);
       break;
     case Motion::kFloating:
     case Motion::kWorld: break;

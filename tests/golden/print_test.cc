@@ -1,7 +1,7 @@
 // The printed form of every stage for small models: one case file each, so that a change of any
 // stage is seen in review.
 //
-// A case is a model, then sections `--- expected STAGE FUNCTION [floating]` with what
+// A case is a model, then sections `--- expected STAGE FUNCTION [OPTION ...]` with what
 // `arboc compile --print=STAGE --functions=FUNCTION` prints.  ARBOC_UPDATE=1 rewrites the sections.
 #include <gtest/gtest.h>
 
@@ -20,11 +20,14 @@ constexpr std::string_view kMark = "--- expected ";
 
 std::string printed(const Model& as_read, const std::string& section) {
   std::istringstream words(section);
-  std::string stage, function, base;
-  words >> stage >> function >> base;
+  std::string stage, function;
+  words >> stage >> function;
   CompileOptions options;
   options.requests = {{function}};
-  if (base == "floating") options.model.base = Base::kFloating;
+  for (std::string option; words >> option;) {
+    if (option == "floating") options.model.base = Base::kFloating;
+    if (option == "expand") options.model.expand = true;
+  }
   Diagnostics diagnostics;
   const Compilation compilation = compile(as_read, options, diagnostics);
   const CompiledFunction& f = compilation.functions.front();

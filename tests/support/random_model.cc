@@ -59,6 +59,28 @@ JointType random_type(Random& random, const RandomModelOptions& options) {
   return x < 0.7 ? JointType::kContinuous : JointType::kRevolute;
 }
 
+/// Up to three axes, nearly or exactly those of the frame in some order: at angles within +-1 they
+/// move the child in as many ways.
+std::vector<JointAxis> random_axes(Random& random, bool universal) {
+  std::vector<JointAxis> axes;
+  const int first = random.integer(3), step = 1 + random.integer(2);
+  const int count = universal ? 2 : 1 + random.integer(3);
+  for (int i = 0; i < count; ++i) {
+    Eigen::Vector3d axis = Eigen::Vector3d::Unit((first + i * step) % 3);
+    if (random.chance(0.5)) axis = (-axis + 0.2 * random.direction(3)).normalized();
+    axes.push_back({!universal && random.chance(0.4), vector3(axis)});
+  }
+  return axes;
+}
+
+void make_exotic(Joint& joint, Random& random) {
+  constexpr JointType kTypes[] = {JointType::kUnbounded, JointType::kHelical, JointType::kSpherical,
+                                  JointType::kUniversal, JointType::kMultiAxis};
+  joint.type = kTypes[random.integer(5)];
+  if (joint.type == JointType::kHelical) joint.pitch = random.uniform(-0.3, 0.3);
+  if (nv(joint) == 0) joint.axes = random_axes(random, joint.type == JointType::kUniversal);
+}
+
 Model random_tree(Random& random, const RandomModelOptions& options) {
   Model model;
   model.name = "random";
@@ -74,8 +96,8 @@ Model random_tree(Random& random, const RandomModelOptions& options) {
     joint.parent = random.chance(0.7) ? k : random.integer(k + 1);
     joint.child = k + 1;
     joint.origin = random_pose(random);
-    if (arboc::nv(joint.type) > 0 && joint.type != JointType::kFloating)
-      joint.axis = random_axis(random);
+    if (options.exotic && random.chance(0.5)) make_exotic(joint, random);
+    if (has_axis(joint.type)) joint.axis = random_axis(random);
     model.joints.push_back(joint);
     model.links.push_back({"link" + number, random_inertial(random), {}});
   }
@@ -114,7 +136,7 @@ void remove_leaf_inertias(Model& model, Random& random) {
 void add_mimics(Model& model, Random& random) {
   std::vector<int> order;
   for (size_t k = 0; k < model.joints.size(); ++k)
-    if (arboc::nv(model.joints[k].type) == 1) order.push_back(static_cast<int>(k));
+    if (arboc::nq(model.joints[k]) == 1) order.push_back(static_cast<int>(k));
   for (size_t k = order.size(); k > 1; --k)
     std::swap(order[k - 1], order[random.integer(static_cast<int>(k))]);
   for (size_t k = 1; k < order.size(); ++k) {

@@ -20,6 +20,7 @@ struct RandomModelOptions {
   bool mimic = true;
   bool massless = true;          ///< inner links without inertia
   bool massless_leaves = false;  ///< moving leaves too: the inertia is then singular
+  bool exotic = false;           ///< unbounded, helical, spherical, universal, multi-axis joints
 };
 
 /// A configured model, the same for the same seed and options.

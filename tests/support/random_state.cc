@@ -9,12 +9,14 @@ State random_state(const Model& model, Random& random) {
   for (size_t k = 0; k < model.joints.size(); ++k) {
     const Joint& joint = model.joints[k];
     if (joint.mimic) continue;
-    const int n = nq(joint.type);
+    const int n = nq(joint);
     if (n == 0) continue;
     auto q = state.q.segment(where.joint[k].q, n);
     q = random.vector(n, 1);
-    if (joint.type == JointType::kFloating) q.tail(4) = random.direction(4);
-    if (joint.type != JointType::kFloating && joint.type != JointType::kPrismatic)
+    if (quaternion_at(joint.type) >= 0) q.tail(4) = random.direction(4);
+    if (joint.type == JointType::kUnbounded) q = random.direction(2);
+    if (has_axis(joint.type) && joint.type != JointType::kPrismatic &&
+        joint.type != JointType::kUnbounded)
       q[n - 1] = random.uniform(-3.14, 3.14);
   }
   return state;

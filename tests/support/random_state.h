@@ -8,7 +8,8 @@
 namespace arboc::test {
 
 struct State {
-  Eigen::VectorXd q;          ///< nq; angles within +-pi, lengths within +-1 m, unit quaternions
+  Eigen::VectorXd q;          ///< nq; angles within +-pi (+-1 of joints with several axes), lengths
+                              ///< within +-1 m, unit quaternions
   Eigen::VectorXd v, a, tau;  ///< nv; within +-2, +-5 and +-10
 };
 
