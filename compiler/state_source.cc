@@ -26,14 +26,16 @@ State StateSource::next(const Model& model) {
     const Joint& joint = model.joints[k];
     const int q = at.joint[k].q;
     if (nv(joint.type) == 0 || joint.mimic) continue;
-    if (nv(joint.type) == 1) {
+    if (nq(joint.type) == 1) {
       const double range = joint.type == JointType::kPrismatic ? 1 : 3.14;
       s.q[q] = uniform(std::max(-range, joint.limits.lower), std::min(range, joint.limits.upper));
       continue;
     }
     for (int i = 0; i < nq(joint.type); ++i) s.q[q + i] = uniform(-1, 1);
     if (joint.type == JointType::kPlanar) s.q[q + 2] *= 3.14;
-    if (joint.type == JointType::kFloating) s.q.segment(q + 3, 4).normalize();
+    if (joint.type == JointType::kUnbounded) s.q.segment(q, 2).normalize();
+    const int quaternion = quaternion_at(joint.type);
+    if (quaternion >= 0) s.q.segment(q + quaternion, 4).normalize();
   }
   for (int i = 0; i < at.nv; ++i) {
     s.v[i] = uniform(-2, 2);

@@ -41,6 +41,7 @@ class Splitter {
     const Location location = link.location;
     model_.links.push_back({name, {}, location});
     model_.joints[k].child = rest.parent;
+    if (model_.root == last_child_) model_.root = rest.parent;  // moved against the world
     model_.joints.push_back(rest);
     return model_.joints.size() - 1;
   }

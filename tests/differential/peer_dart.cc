@@ -14,6 +14,7 @@
 #include <dart/dynamics/WeldJoint.hpp>
 #include <dart/math/Geometry.hpp>
 #include <iostream>
+#include <stdexcept>
 
 #include "differential/peer.h"
 
@@ -153,6 +154,7 @@ class DartPeer : public Peer {
         made = planar;
         break;
       }
+      default: throw std::logic_error("no URDF joint");
     }
     made->setTransformFromParentBodyNode(isometry(joint.origin));
     body_[link]->setInertia(inertia(model().links[link].inertial.value_or(Inertial{})));

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <kdl/tree.hpp>
 #include <kdl/treeidsolver_recursive_newton_euler.hpp>
+#include <stdexcept>
 
 #include "differential/peer.h"
 
@@ -132,6 +133,7 @@ class KdlPeer : public Peer {
         return add({KDL::Joint(T.p, axis, KDL::Joint::TransAxis)}, T, joint, tree);
       case JointType::kPlanar: return add_planar(joint, q, tree);
       case JointType::kFloating: return add_floating(joint, q, tree);
+      default: throw std::logic_error("no URDF joint");
     }
   }
 

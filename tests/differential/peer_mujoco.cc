@@ -59,6 +59,7 @@ std::string joint_elements(const Joint& joint, const std::string& prefix) {
       add("slide", {0, 0, 1});
       add("ball", {0, 0, 1});
       break;
+    default: throw std::logic_error("no URDF joint");
   }
   return out;
 }

@@ -16,13 +16,20 @@ using Eigen::VectorXd;
 
 constexpr int kModels = 40;
 
-class ReferenceDynamics : public testing::TestWithParam<Base> {
+struct Kind {
+  const char* name;
+  Base base;
+  bool exotic;
+};
+
+class ReferenceDynamics : public testing::TestWithParam<Kind> {
  protected:
   template <class Property>
   static void for_random_models(Property property) {
     for (const std::uint64_t seed : seeds(kModels)) {
       RandomModelOptions options;
-      options.base = GetParam();
+      options.base = GetParam().base;
+      options.exotic = GetParam().exotic;
       const Model model = random_model(seed, options);
       SCOPED_TRACE("ARBOC_SEED=" + std::to_string(seed) + "\n" + print(model));
       Random random(seed);
@@ -135,10 +142,12 @@ TEST_P(ReferenceDynamics, KineticEnergyIsThatOfThePoses) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Bases, ReferenceDynamics, testing::Values(Base::kFixed, Base::kFloating),
-                         [](const auto& base) {
-                           return base.param == Base::kFixed ? "Fixed" : "Floating";
-                         });
+INSTANTIATE_TEST_SUITE_P(Bases, ReferenceDynamics,
+                         testing::Values(Kind{"Fixed", Base::kFixed, false},
+                                         Kind{"Floating", Base::kFloating, false},
+                                         Kind{"FixedExotic", Base::kFixed, true},
+                                         Kind{"FloatingExotic", Base::kFloating, true}),
+                         [](const auto& kind) { return kind.param.name; });
 
 TEST(ReferenceMomentum, ChangesOnlyByWeightWhileNothingPushesTheBase) {
   for (const std::uint64_t seed : seeds(kModels)) {

@@ -22,7 +22,8 @@ Joint joint(JointType type) {
 
 VectorXd random_pose(Random& random, JointType type) {
   VectorXd q = random.vector(nq(type), 2);
-  if (type == JointType::kFloating) q.tail(4) = random.direction(4);
+  if (quaternion_at(type) >= 0) q.tail(4) = random.direction(4);
+  if (type == JointType::kUnbounded) q = random.direction(2);
   return q;
 }
 
@@ -65,7 +66,8 @@ TEST_P(ReferenceIntegrate, IsTheLimitOfSmallSteps) {
 
 INSTANTIATE_TEST_SUITE_P(Types, ReferenceIntegrate,
                          testing::Values(JointType::kFloating, JointType::kPlanar,
-                                         JointType::kRevolute),
+                                         JointType::kRevolute, JointType::kUnbounded,
+                                         JointType::kSpherical),
                          [](const auto& type) { return std::string(name(type.param)); });
 
 TEST(ReferenceIntegrateQuaternion, StaysUnit) {

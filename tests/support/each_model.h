@@ -17,6 +17,7 @@ void for_each_model(int count, const Check& check) {
   for (const std::uint64_t seed : seeds(count)) {
     RandomModelOptions options;
     options.base = seed % 2 ? Base::kFixed : Base::kFloating;
+    options.exotic = seed % 4 < 2;
     options.mimic = seed % 3 != 0;  // followers have another forward dynamics
     Model model = random_model(seed, options);
     SCOPED_TRACE("ARBOC_SEED=" + std::to_string(seed) + "\n" + print(model));

@@ -78,7 +78,8 @@ void make_exotic(Joint& joint, Random& random) {
                                   JointType::kUniversal, JointType::kMultiAxis};
   joint.type = kTypes[random.integer(5)];
   if (joint.type == JointType::kHelical) joint.pitch = random.uniform(-0.3, 0.3);
-  if (nv(joint) == 0) joint.axes = random_axes(random, joint.type == JointType::kUniversal);
+  if (joint.type == JointType::kUniversal || joint.type == JointType::kMultiAxis)
+    joint.axes = random_axes(random, joint.type == JointType::kUniversal);
 }
 
 Model random_tree(Random& random, const RandomModelOptions& options) {

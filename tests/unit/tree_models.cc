@@ -1,5 +1,6 @@
 #include "tree_models.h"
 
+#include <stdexcept>
 #include <string>
 
 #include "base/exact_trig.h"
@@ -117,6 +118,7 @@ Eigen::Isometry3d placement(const Joint& joint, const Coordinates::Entry& entry,
       J.translation() = Eigen::Vector3d(q[0], q[1], q[2]);
       J.linear() = Eigen::Quaterniond(q[6], q[3], q[4], q[5]).toRotationMatrix();
       break;
+    default: throw std::logic_error("not among the random types");
   }
   return T * J;
 }
@@ -138,6 +140,7 @@ Eigen::MatrixXd subspace(const Joint& joint) {
       S.bottomRows(3).leftCols(3).setIdentity();
       S.topRows(3).rightCols(3).setIdentity();
       break;
+    default: throw std::logic_error("not among the random types");
   }
   return S;
 }
