@@ -48,7 +48,7 @@ TEST(ReferenceForces, JointsActByTheirOwnRates) {
         const double rate = multiplier * s.v[v + i];
         double force = joint.damping * rate + joint.friction * rate / std::hypot(rate, 0.1) +
                        joint.rotor_inertia * multiplier * s.a[v + i];
-        if (nv(joint.type) == 1)
+        if (nq(joint.type) == 1)
           force += joint.stiffness * (multiplier * s.q[q] + offset - joint.neutral);
         expected[v + i] += multiplier * force;
       }
