@@ -129,6 +129,13 @@ TEST_P(RandomModels, OfManyJointsAgree) {
   expect_all_agree(options, 4);
 }
 
+TEST_P(RandomModels, OfJointsBeyondUrdfAgree) {
+  RandomModelOptions options;
+  options.exotic = true;
+  options.joints = 6;
+  expect_all_agree(options, 15);
+}
+
 TEST_P(RandomModels, WithoutMimicJointsAgree) {
   RandomModelOptions options;
   options.mimic = false;

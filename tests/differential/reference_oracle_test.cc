@@ -86,6 +86,26 @@ TEST_P(ReferenceOracle, Agrees) {
       "qdd", [&](int i) { return reference.aba(q.col(i), v.col(i), tau.col(i)); }, solving);
 }
 
+/// Pinocchio's own coordinates of continuous joints.
+TEST_P(ReferenceOracle, AgreesOnCosinesAndSines) {
+  ModelOptions options;
+  options.continuous = ContinuousAs::kCosSin;
+  options.order = JointOrder::kAlphabetical;
+  options.snap = 0;
+  Diagnostics diagnostics;
+  const Reference reference(configure(model_, options, diagnostics));
+  const auto rows = [&](const char* quantity) -> MatrixXd {
+    return oracle(GetParam(), quantity).transpose();
+  };
+  const MatrixXd q = rows("q"), v = rows("v"), a = rows("a");
+  ASSERT_EQ(reference.nq(), q.rows());
+  const auto rounding = [](int) { return 1.0; };
+  compare(
+      "tau", [&](int i) { return reference.rnea(q.col(i), v.col(i), a.col(i)); }, rounding);
+  compare(
+      "M", [&](int i) { return flat(reference.crba(q.col(i))); }, rounding);
+}
+
 TEST_P(ReferenceOracle, PutsJointsInTheSamePlaces) {
   std::vector<std::string> joints;
   std::vector<int> links;
