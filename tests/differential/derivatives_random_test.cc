@@ -36,6 +36,7 @@ const Kind kKinds[] = {
     {"floating base, every joint", {9, Base::kFloating}},
     {"fixed base, single joints", {9, Base::kFixed, false, false}},
     {"revolute, no mimic", {7, Base::kFixed, false, false, false, false}},
+    {"joints beyond URDF", {6, Base::kFixed, true, true, true, true, true, false, true}},
     {"massless leaves", {9, Base::kFloating, true, true, true, true, true, true}},
 };
 
@@ -76,7 +77,10 @@ std::vector<Dual> moved(const DynamicTree& tree, const VectorXd& at, int k) {
     if (d < 0 || d >= freedoms(body.motion)) continue;
     const int c = component(body.motion, d);
     Dual* own = q.data() + body.q;
-    if (freedoms(body.motion) == 1) {
+    if (body.circle) {
+      own[0].d = -own[1].x;
+      own[1].d = own[0].x;
+    } else if (freedoms(body.motion) == 1) {
       own->d = 1;
     } else if (body.motion == Motion::kPlanar) {
       const double cosine = std::cos(own[2].x), sine = std::sin(own[2].x);
@@ -88,12 +92,13 @@ std::vector<Dual> moved(const DynamicTree& tree, const VectorXd& at, int k) {
       const Vector3<double> e = column(rotation_of_quaternion(quaternion), c);
       for (int i = 0; i < 3; ++i) own[i].d = e[i];
     } else {
-      const Vector3<double> u{own[3].x, own[4].x, own[5].x};
+      Dual* quaternion = body.motion == Motion::kSpherical ? own : own + 3;
+      const Vector3<double> u{quaternion[0].x, quaternion[1].x, quaternion[2].x};
       Vector3<double> e;
       e[c - 3] = 1;
-      const Vector3<double> change = own[6].x * e + cross(u, e);
-      for (int i = 0; i < 3; ++i) own[3 + i].d = change[i] / 2;
-      own[6].d = -u[c - 3] / 2;
+      const Vector3<double> change = quaternion[3].x * e + cross(u, e);
+      for (int i = 0; i < 3; ++i) quaternion[i].d = change[i] / 2;
+      quaternion[3].d = -u[c - 3] / 2;
     }
   }
   return q;

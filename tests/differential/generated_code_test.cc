@@ -59,5 +59,16 @@ TEST(GeneratedCode, AgreesOnRandomModels) {
   }
 }
 
+TEST(GeneratedCode, AgreesOnJointsBeyondUrdf) {
+  for (const std::uint64_t seed : seeds(2)) {
+    RandomModelOptions options;
+    options.exotic = true;
+    options.joints = 5;
+    const Model model = random_model(seed, options);
+    SCOPED_TRACE("ARBOC_SEED=" + std::to_string(seed) + "\n" + print(model));
+    expect_agreement(model, kPlain, 5);
+  }
+}
+
 }  // namespace
 }  // namespace arboc::test

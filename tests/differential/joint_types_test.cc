@@ -299,11 +299,11 @@ TEST(JointTypes, MovementsAreThoseOfTheReference) {
     EXPECT_LE(error(d0, tangent([&](const auto& d) {
                       return complex.difference(complex.integrate(at, d), to);
                     })),
-              1e-10);  // the angle of a quaternion near its largest
+              kTolerance);
     EXPECT_LE(error(d1, tangent([&](const auto& d) {
                       return complex.difference(at, complex.integrate(to, d));
                     })),
-              1e-10);
+              kTolerance);
     RowMajor by_q(n, n), by_v(n, n);
     integrate_derivatives(tree, q.data(), step.data(), by_q.data(), by_v.data());
     const VectorOf<Complex> way = step.cast<Complex>();

@@ -78,6 +78,7 @@ template <class Check>
 void for_each_case(int models, Check check) {
   const std::pair<const char*, RandomModelOptions> kinds[] = {
       {"fixed base, every joint", {9}},
+      {"joints beyond URDF", {6, Base::kFixed, true, true, true, true, true, false, true}},
       {"floating base, every joint", {9, Base::kFloating}},
       {"fixed base, single joints", {9, Base::kFixed, false, false}},
       {"floating base, no mimic", {7, Base::kFloating, false, true, true, false}}};
