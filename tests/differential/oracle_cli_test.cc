@@ -15,6 +15,7 @@ struct Quantity {
   const char* function;
   const char* expected;
   std::vector<const char*> inputs;  ///< option and file in turn
+  const char* output = "";          ///< of several
 };
 
 const std::vector<Quantity> kQuantities = {
@@ -24,7 +25,15 @@ const std::vector<Quantity> kQuantities = {
     {"nle", "nle", {"--q", "qflat", "--v", "v"}},
     {"crba", "M", {"--q", "qflat"}},
     {"minv", "Minv", {"--q", "qflat"}},
-    {"aba", "qdd", {"--q", "qflat", "--v", "v", "--tau", "tau_in"}}};
+    {"aba", "qdd", {"--q", "qflat", "--v", "v", "--tau", "tau_in"}},
+    {"joint_jacobians", "J", {"--q", "qflat"}},
+    {"centroidal", "Ag", {"--q", "qflat"}, "A_G"},
+    {"regressor", "regressor", {"--q", "qflat", "--v", "v", "--a", "a"}},
+    {"rnea_derivatives", "dtau_dq", {"--q", "qflat", "--v", "v", "--a", "a"}, "dtau_dq"},
+    {"rnea_derivatives", "dtau_dv", {"--q", "qflat", "--v", "v", "--a", "a"}, "dtau_dv"},
+    {"aba_derivatives", "dqdd_dq", {"--q", "qflat", "--v", "v", "--tau", "tau_in"}, "dqdd_dq"},
+    {"aba_derivatives", "dqdd_dv", {"--q", "qflat", "--v", "v", "--tau", "tau_in"}, "dqdd_dv"},
+    {"aba_derivatives", "Minv", {"--q", "qflat", "--v", "v", "--tau", "tau_in"}, "Minv"}};
 
 std::vector<double> row(const Eigen::MatrixXd& A, Eigen::Index i) {
   const Eigen::VectorXd x = A.row(i);
@@ -52,6 +61,7 @@ void expect_agreement(const OracleRobot& robot, const std::string& snap, const s
     for (const std::string word : quantity.inputs)
       command.push_back(word.starts_with("--") ? word
                                                : folder + "/" + robot.name + "/" + word + ".csv");
+    if (*quantity.output) command.insert(command.end(), {"--output", quantity.output});
     if (!snap.empty()) command.insert(command.end(), {"--snap", snap});
     const Outcome outcome = run_arboc(command);
     ASSERT_EQ(outcome.status, 0) << quantity.function << "\n" << outcome.err;
@@ -62,7 +72,7 @@ void expect_agreement(const OracleRobot& robot, const std::string& snap, const s
       const std::vector<double> M = row(inertias, i);
       const auto n = static_cast<Eigen::Index>(std::lround(std::sqrt(M.size())));
       const std::string function = quantity.function;
-      const bool solves = function == "aba" || function == "minv";
+      const bool solves = function.starts_with("aba") || function == "minv";
       const double allowed =
           solves ? rounding * std::max(1.0, condition(matrix_of(M, n)) / 1e4) : rounding;
       EXPECT_LE(relative_error(results[static_cast<size_t>(i)], row(expected, i)), allowed)
