@@ -48,7 +48,7 @@ JointPose<T> constant_pose(const BodyOf<S>& body) {
 }
 
 template <class T>
-PlanarRotation<T> joint_turn(const Body& body, const T& angle) {
+ARBOC_INLINE PlanarRotation<T> joint_turn(const Body& body, const T& angle) {
   PlanarRotation<T> turn;
   sincos(angle, turn.s, turn.c);
   return compose(body.theta, turn);

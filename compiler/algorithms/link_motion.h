@@ -33,7 +33,7 @@ LinkMotion<T> world_motion(const Tree& tree) {
 }
 
 template <class T>
-Matrix3<T> acceleration_matrix(const Vector3<T>& w, const Vector3<T>& dw) {
+ARBOC_INLINE Matrix3<T> acceleration_matrix(const Vector3<T>& w, const Vector3<T>& dw) {
   const T xx = w.x * w.x, yy = w.y * w.y, zz = w.z * w.z;
   const T xy = w.x * w.y, xz = w.x * w.z, yz = w.y * w.z;
   return {{{-(yy + zz), xy - dw.z, xz + dw.y},

@@ -61,7 +61,7 @@ ARBOC_INLINE void for_each_joint_force(Motion motion, const Wrench<T>& wrench, U
 
 /// Adds what the joint of `body` feels of `wrench` to the generalised forces.
 template <class T>
-void add_joint_force(const Body& body, const Wrench<T>& wrench, T* tau) {
+ARBOC_INLINE void add_joint_force(const Body& body, const Wrench<T>& wrench, T* tau) {
   for_each_joint_force(body.motion, wrench, [&](int d, const T& force) {
     T& entry = tau[body.v + d];
     entry = entry + body.multiplier * force;
