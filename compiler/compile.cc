@@ -26,6 +26,7 @@ Traced trace_of(const Request& request, const Setup& setup, const LoweringOption
 
 CompiledFunction compile_function(const Request& request, const Setup& setup) {
   CompiledFunction best;
+  const Signature asked = signature(request, setup);
   bool first = true;
   for (const LoweringOptions& lowering : lowerings(request.function)) {
     Traced traced = trace_of(request, setup, lowering);
@@ -33,8 +34,8 @@ CompiledFunction compile_function(const Request& request, const Setup& setup) {
     Program program = schedule(graph);
     if (!first && program.ops.total() >= best.program.ops.total()) continue;
     first = false;
-    best = {request,          signature(request, setup),  lowering,
-            std::move(graph), std::move(traced.patterns), std::move(program)};
+    best = {request,           asked, lowering, std::move(graph), std::move(traced.patterns),
+            std::move(program)};
   }
   return best;
 }
@@ -66,20 +67,27 @@ std::string text(const Lock& lock) {
   return lock.joint + "=" + values;
 }
 
+const char* word(Axes axes) {
+  return axes == Axes::kLocal ? "local" : axes == Axes::kWorld ? "world" : "aligned";
+}
+
+std::vector<std::string> words(const JointForces& forces) {
+  std::vector<std::string> list;
+  if (forces.damping) list.emplace_back("damping");
+  if (forces.friction) list.emplace_back("friction");
+  if (forces.stiffness) list.emplace_back("stiffness");
+  if (forces.rotor) list.emplace_back("rotor");
+  return list;
+}
+
 void add_changed(const FunctionOptions& options, std::vector<std::string>& changed) {
   const auto add = [&](const char* name, const std::vector<std::string>& words) {
     if (!words.empty()) changed.push_back(fmt::format("--{} {}", name, fmt::join(words, ",")));
   };
   add("frames", options.frames);
-  if (options.axes != Axes::kLocal)
-    changed.emplace_back(options.axes == Axes::kWorld ? "--axes world" : "--axes aligned");
+  if (options.axes != Axes::kLocal) changed.push_back(fmt::format("--axes {}", word(options.axes)));
   add("external-forces", options.external_forces);
-  std::vector<std::string> forces;
-  if (options.joint_forces.damping) forces.emplace_back("damping");
-  if (options.joint_forces.friction) forces.emplace_back("friction");
-  if (options.joint_forces.stiffness) forces.emplace_back("stiffness");
-  if (options.joint_forces.rotor) forces.emplace_back("rotor");
-  add("joint-forces", forces);
+  add("joint-forces", words(options.joint_forces));
   const double velocity = options.joint_forces.friction_velocity;
   if (velocity != JointForces().friction_velocity)
     changed.push_back("--friction-velocity " + shortest(velocity));
@@ -166,13 +174,16 @@ TargetModel target(const Compilation& compilation, const CompileOptions& options
   target.options = changed_options(options);
   describe_joints(model, target);
   for (const CompiledFunction& f : compilation.functions)
-    target.functions.push_back({f.signature, f.patterns, f.program});
+    target.functions.push_back({text(f.request), f.signature, f.patterns, f.program});
   for (const int frame : setup.frames)
     target.frame_names.push_back(model.links[static_cast<size_t>(frame)].name);
   for (const int load : setup.loads)
     target.load_names.push_back(model.links[static_cast<size_t>(load)].name);
   for (const Parameter& p : setup.parameters)
-    target.parameters.push_back({p.name, p.labels, p.nominal});
+    target.parameters.push_back({p.name, p.unit, p.meaning, p.labels, p.nominal});
+  target.axes = word(setup.axes);
+  target.joint_forces = words(setup.joint_forces);
+  target.friction_velocity = setup.joint_forces.friction_velocity;
   record(setup, compilation.functions, target);
   return target;
 }

@@ -26,12 +26,16 @@ std::vector<double> rounded(std::vector<double> values) {
   return values;
 }
 
-/// Results known to `tolerance` of the largest entry to a tenth of that: differences leave noise
-/// also where there is nothing.
-std::vector<double> rounded(std::vector<double> values, double tolerance) {
-  if (tolerance <= Argument().tolerance) return rounded(std::move(values));
+double largest_entry(const std::vector<double>& values) {
   double largest = 0;
   for (const double x : values) largest = std::max(largest, std::fabs(x));
+  return largest;
+}
+
+/// Results known to `tolerance` of the largest entry to a tenth of that: differences leave noise
+/// also where there is nothing.
+std::vector<double> rounded(std::vector<double> values, double tolerance, double largest) {
+  if (tolerance <= Argument().tolerance) return rounded(std::move(values));
   int decimals = 0;
   for (double unit = 10; unit > tolerance * largest && decimals < 30; unit /= 10) ++decimals;
   for (double& x : values) x = parse_finite(fmt::format("{:.{}f}", x, decimals)).value_or(x) + 0.0;
@@ -60,9 +64,14 @@ void record(const Setup& setup, const std::vector<CompiledFunction>& functions,
         if (input.name == "lambda")
           v[f.signature.name + ".lambda"] = inputs["lambda"] = weights.vector(input.rows);
       Values results = evaluate_reference(f.request, setup, inputs);
-      for (const Argument& output : f.signature.outputs)
+      double largest = 0;
+      for (const auto& [name, result] : results) largest = std::max(largest, largest_entry(result));
+      for (const Argument& output : f.signature.outputs) {
+        std::vector<double>& y = results[output.name];
+        const bool all = output.tolerance == kDifferencedTwice;
         v[f.signature.name + "." + output.name] =
-            rounded(std::move(results[output.name]), output.tolerance);
+            rounded(y, output.tolerance, all ? largest : largest_entry(y));
+      }
     }
     target.recordings.push_back(std::move(recording));
   }

@@ -157,17 +157,20 @@ class Function {
     const Signature& s = function_.signature;
     std::string out = fmt::format("/// {}\n", s.meaning);
     const auto describe = [&](const Argument& a, const char* direction, const std::string& shape) {
-      out += fmt::format("/// {} {}: {}; {}; {}\n", direction, a.name, shape, a.unit, a.meaning);
+      out += fmt::format("/// {} {}: {}; {}; {}\n", direction, a.code(), shape, a.unit, a.meaning);
     };
-    for (const Argument& a : s.inputs)
-      describe(a, "in ", fmt::format("{} entries", a.rows * a.cols));
+    const auto dense = [](const Argument& a) {
+      return a.cols == 1 ? fmt::format("{} entr{}", a.rows, a.rows == 1 ? "y" : "ies")
+                         : fmt::format("{} x {} by rows", a.rows, a.cols);
+    };
+    for (const Argument& a : s.inputs) describe(a, "in ", dense(a));
     for (size_t i = 0; i < s.outputs.size(); ++i) {
       const Argument& a = s.outputs[i];
       const std::string shape =
           a.sparse
               ? fmt::format("{} structural non-zeros of {} x {} by columns{}", function_.entries(i),
                             a.rows, a.cols, a.symmetric ? ", upper triangle" : "")
-              : fmt::format("{} entries", a.rows * a.cols);
+              : dense(a);
       describe(a, "out", shape);
     }
     if (!s.positive.empty())

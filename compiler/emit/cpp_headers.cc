@@ -1,4 +1,4 @@
-// NAME_raw.hpp and NAME.hpp: declarations and constants, and the Eigen interface over them.
+// NAME_raw.hpp: declarations, constants, sparsity.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -65,131 +65,116 @@ std::string limits(const TargetModel& model) {
   return out;
 }
 
-/// Indices of the frames of fk by name.
-std::string frames(const TargetModel& model) {
-  if (model.frame_names.empty()) return "";
-  std::string out = "\n/// Rows of fk's output.\nnamespace frame {\n";
-  std::set<std::string> taken;
-  for (size_t i = 0; i < model.frame_names.size(); ++i) {
-    std::string name = identifier(model.frame_names[i]);
-    for (int n = 2; !taken.insert(name).second; ++n)
-      name = fmt::format("{}_{}", identifier(model.frame_names[i]), n);
+/// `inline constexpr int NAME = INDEX;` of each text, under names that differ from one another and
+/// from those in `taken`.
+std::string indices(const std::vector<std::string>& texts, std::set<std::string> taken = {}) {
+  std::string out;
+  for (size_t i = 0; i < texts.size(); ++i) {
+    const std::string wanted = identifier(texts[i]);
+    std::string name = wanted;
+    for (int n = 2; !taken.insert(name).second; ++n) name = fmt::format("{}_{}", wanted, n);
     out += fmt::format("inline constexpr int {} = {};\n", name, i);
   }
-  return out + "}  // namespace frame\n";
+  return out;
+}
+
+std::string in_namespace(const std::string& name, const std::string& text) {
+  return fmt::format("namespace {0} {{\n{1}}}  // namespace {0}\n", name, text);
+}
+
+std::string frames(const TargetModel& model) {
+  std::string out;
+  if (!model.frame_names.empty())
+    out +=
+        "\n/// Frames in the order of fk and of the frame functions: row k of what has one row a "
+        "frame.\n" +
+        in_namespace("frame", indices(model.frame_names));
+  if (!model.load_names.empty())
+    out +=
+        "\n/// Loaded links in the order of f_ext: the wrench on link k begins at f_ext[6 * k].\n" +
+        in_namespace("load", indices(model.load_names));
+  return out;
+}
+
+/// Per group of parameters the labels and nominal values of its entries, and their indices.
+std::string parameter_tables(const TargetModel& model) {
+  std::string groups;
+  for (const ParameterTable& p : model.parameters) {
+    std::vector<std::string> values;
+    for (const double x : p.nominal) values.push_back(number(x));
+    groups +=
+        fmt::format("/// {}; {}\n", p.unit, p.meaning) +
+        in_namespace(p.name, fmt::format("inline constexpr int count = {};\n", values.size()) +
+                                 array("const char*", "names", literals(p.labels)) +
+                                 array("double", "nominal", values) +
+                                 indices(p.labels, {"count", "names", "nominal"}));
+  }
+  if (groups.empty()) return "";
+  return "\n/// Numbers of the model that are inputs: an entry a name, as the model has them, and "
+         "indices.\n" +
+         in_namespace("parameter", groups);
+}
+
+template <class Visit>
+void for_each_sparse(const TargetModel& model, const Visit& visit) {
+  for (const TargetFunction& f : model.functions)
+    for (size_t k = 0; k < f.signature.outputs.size(); ++k)
+      if (f.signature.outputs[k].sparse)
+        visit(f.signature.name + "_" + f.signature.outputs[k].name, f.signature.outputs[k],
+              f.patterns[k]);
 }
 
 std::string sparsity(const TargetModel& model) {
   std::string out;
-  for (const TargetFunction& f : model.functions) {
-    for (size_t i = 0; i < f.patterns.size(); ++i) {
-      if (!f.signature.outputs[i].sparse) continue;
-      const std::string name = f.signature.name + "_" + f.signature.outputs[i].name;
-      out += fmt::format("inline constexpr int {}_nnz = {};\n", name, f.patterns[i].row.size());
-      out += array("int", name + "_row", integers(f.patterns[i].row));
-      out += array("int", name + "_col", integers(f.patterns[i].col));
-    }
-  }
+  for_each_sparse(model, [&](const std::string& name, const Argument& a, const Pattern& pattern) {
+    out += fmt::format("inline constexpr int {}_nnz = {};\n", name, pattern.row.size());
+    out += array("int", name + "_row", integers(pattern.row));
+    out += array("int", name + "_col", integers(pattern.col));
+    out += array("int", name + "_colptr", integers(pattern.colptr(a.cols)));
+  });
   if (out.empty()) return out;
   return "\n/// Where the structural non-zeros of matrices stand, in the order in which raw "
          "functions write\n"
-         "/// them: by columns, of symmetric matrices the upper triangle.\nnamespace sparsity {\n" +
-         out + "}  // namespace sparsity\n";
+         "/// them: by columns, of symmetric matrices the upper triangle.  Column j has those "
+         "from\n"
+         "/// colptr[j] to before colptr[j + 1], so that row and colptr are compressed column "
+         "storage.\n" +
+         in_namespace("sparsity", out);
 }
 
-/// The type of an argument in the Eigen interface.
-std::string eigen_type(const TargetModel& model, const Argument& a) {
-  if (a.name == "q") return "Config";
-  if (a.cols == 1 && a.rows == model.nv) return "Tangent";
-  if (a.sparse && a.rows == model.nv && a.cols == model.nv) return "Matrix";
-  return fmt::format("Eigen::Matrix<double, {}, {}, Eigen::RowMajor>", a.rows, a.cols);
+constexpr const char* kScatter = R"(
+namespace detail {
+
+/// Zeros `size` entries of `dense`, then puts each non-zero where it stands, of a symmetric matrix
+/// also into the lower triangle; entry (i, j) is dense[i * row_step + j * col_step].
+template <class T>
+void scatter(const T* entries, int nnz, const int* row, const int* col, bool symmetric, T* dense,
+             int size, int row_step, int col_step) {
+  for (int k = 0; k < size; ++k) dense[k] = T(0);
+  for (int k = 0; k < nnz; ++k) {
+    dense[row[k] * row_step + col[k] * col_step] = entries[k];
+    if (symmetric) dense[col[k] * row_step + row[k] * col_step] = entries[k];
+  }
 }
 
-/// `const Config& q, const Tangent& v`.
-std::string eigen_inputs(const TargetModel& model, const Signature& s) {
+}  // namespace detail
+)";
+
+/// Functions that make dense matrices of what raw functions write.
+std::string scatters(const TargetModel& model) {
   std::string out;
-  for (const Argument& a : s.inputs)
-    out += fmt::format("{}const {}& {}", out.empty() ? "" : ", ", eigen_type(model, a), a.name);
-  return out;
-}
-
-/// Statements that scatter `entries` of an output into the dense matrix `into`.
-std::string scatter(const std::string& function, const Argument& a, const std::string& entries,
-                    const std::string& into, const std::string& indent) {
-  const std::string at = fmt::format("sparsity::{}_{}", function, a.name);
-  std::string out = fmt::format("{0}for (int k = 0; k < {1}_nnz; ++k) {{\n", indent, at);
-  out += fmt::format("{0}  {1}({2}_row[k], {2}_col[k]) = {3}[k];\n", indent, into, at, entries);
-  if (a.symmetric)
-    out += fmt::format("{0}  {1}({2}_col[k], {2}_row[k]) = {3}[k];\n", indent, into, at, entries);
-  return out + indent + "}\n";
-}
-
-/// Value interface of a function with one output.
-std::string eigen_function(const TargetModel& model, const TargetFunction& f) {
-  const Signature& s = f.signature;
-  const Argument& result = s.outputs.front();
-  const bool checked = !s.positive.empty();
-  std::string call = fmt::format("raw::{}<double>(", s.name);
-  for (const Argument& a : s.inputs) call += a.name + ".data(), ";
-  const std::string type = eigen_type(model, result);
-  std::string out = fmt::format("/// {}\n", s.meaning);
-  if (checked)
-    out += fmt::format("/// `status`, if given, receives what raw::{} returns.\n", s.name);
-  out += fmt::format("inline {} {}({}{}) {{\n", type, s.name, eigen_inputs(model, s),
-                     checked ? ", int* status = nullptr" : "");
-  const std::string store = checked ? "const int failed = " : "";
-  if (result.sparse) {
-    out += fmt::format("  double entries[{}];\n  {}{}entries);\n", std::max(1, f.entries(0)), store,
-                       call);
-    out += fmt::format("  {0} {1} = {0}::Zero({2}, {3});\n", type, result.name, result.rows,
-                       result.cols);
-    out += scatter(s.name, result, "entries", result.name, "  ");
-  } else {
-    out +=
-        fmt::format("  {} {};\n  {}{}{}.data());\n", type, result.name, store, call, result.name);
-  }
-  if (checked) out += "  if (status) *status = failed;\n";
-  return out + fmt::format("  return {};\n}}\n\n", result.name);
-}
-
-/// rnea_derivatives -> RneaDerivatives.
-std::string camel_case(const std::string& name) {
-  std::string out;
-  bool capital = true;
-  for (const char c : name) {
-    if (c != '_') out += capital && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-    capital = c == '_';
-  }
-  return out;
-}
-
-/// The same with several outputs: a struct of pointers, of which those given are filled in.
-std::string eigen_function_of_many(const TargetModel& model, const TargetFunction& f) {
-  const Signature& s = f.signature;
-  const std::string type = camel_case(s.name);
-  std::string out = fmt::format(
-      "/// Outputs of {}; those left null are not wanted.\nstruct {} {{\n", s.name, type);
-  for (const Argument& a : s.outputs)
-    out += fmt::format("  {}* {} = nullptr;\n", eigen_type(model, a), a.name);
-  out += fmt::format("}};\n/// {}\ninline void {}({}, const {}& out) {{\n", s.meaning, s.name,
-                     eigen_inputs(model, s), type);
-  std::string arguments, results;
-  for (const Argument& a : s.inputs) arguments += a.name + ".data(), ";
-  for (size_t k = 0; k < s.outputs.size(); ++k) {
-    const Argument& a = s.outputs[k];
-    out += fmt::format("  double {}[{}];\n", a.name, std::max(1, f.entries(k)));
-    arguments += a.name + (k + 1 < s.outputs.size() ? ", " : "");
-    results += fmt::format("  if (out.{}) {{\n", a.name);
-    if (a.sparse) {
-      results += fmt::format("    out.{}->setZero({}, {});\n", a.name, a.rows, a.cols);
-      results += scatter(s.name, a, a.name, fmt::format("(*out.{})", a.name), "    ");
-    } else {
-      results +=
-          fmt::format("    *out.{0} = Eigen::Map<const {1}>({0});\n", a.name, eigen_type(model, a));
-    }
-    results += "  }\n";
-  }
-  return out + fmt::format("  raw::{}<double>({});\n{}}}\n\n", s.name, arguments, results);
+  for_each_sparse(model, [&](const std::string& name, const Argument& a, const Pattern&) {
+    out += fmt::format(
+        "template <class T>\n"
+        "void scatter_{0}(const T* entries, T* dense, int row_step = {1}, int col_step = 1) {{\n"
+        "  detail::scatter(entries, sparsity::{0}_nnz, sparsity::{0}_row, sparsity::{0}_col, {2}, "
+        "dense, {3},\n                  row_step, col_step);\n}}\n",
+        name, a.cols, a.symmetric, a.rows * a.cols);
+  });
+  if (out.empty()) return out;
+  return "// scatter_FUNCTION_OUTPUT: what a raw function writes as a dense matrix, by rows unless "
+         "other\n// steps are given.\n" +
+         out + "\n";
 }
 
 }  // namespace
@@ -200,7 +185,9 @@ std::string raw_header(const TargetModel& model) {
       names("One name an entry of v, a and tau.", "velocity_names", model.velocity_names) +
       "/// Limits as the model states them (rad, m, rad/s, m/s, N m, N); infinite where it has "
       "none.\n" +
-      limits(model) + frames(model) + sparsity(model);
+      limits(model) + frames(model) + parameter_tables(model) + sparsity(model);
+  const std::string dense = scatters(model);
+  if (!dense.empty()) constants += kScatter;
   std::string declarations;
   for (const TargetFunction& f : model.functions) {
     const char* result = f.signature.positive.empty() ? "void" : "int";
@@ -214,19 +201,7 @@ std::string raw_header(const TargetModel& model) {
                                    {"nq", fmt::format("{}", model.nq)},
                                    {"nv", fmt::format("{}", model.nv)},
                                    {"constants", constants},
-                                   {"declarations", declarations}});
-}
-
-std::string eigen_header(const TargetModel& model) {
-  std::string functions;
-  for (const TargetFunction& f : model.functions)
-    functions += f.signature.outputs.size() == 1 ? eigen_function(model, f)
-                                                 : eigen_function_of_many(model, f);
-  const char* alias = "using Vector = Tangent;  ///< where nq == nv\n";
-  return fill("cpp/NAME.hpp", {{"banner", banner(model)},
-                               {"name", model.name},
-                               {"vector_alias", model.nq == model.nv ? alias : ""},
-                               {"functions", functions}});
+                                   {"declarations", declarations + dense}});
 }
 
 }  // namespace arboc

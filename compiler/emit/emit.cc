@@ -2,12 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "emit/names.h"
 #include "emit/template.h"
 
 namespace arboc {
 
 const char* version() { return ARBOC_VERSION; }
+
+std::vector<int> Pattern::colptr(int cols) const {
+  std::vector<int> begin(static_cast<size_t>(cols) + 1, 0);
+  for (size_t k = 0; k < col.size(); ++k) {
+    if (k > 0 && (col[k] < col[k - 1] || (col[k] == col[k - 1] && row[k] <= row[k - 1])))
+      throw std::logic_error("a pattern that is not by columns");
+    ++begin[static_cast<size_t>(col[k]) + 1];
+  }
+  for (size_t j = 1; j < begin.size(); ++j) begin[j] += begin[j - 1];
+  return begin;
+}
 
 std::string banner(const TargetModel& model) {
   std::string out =

@@ -23,6 +23,7 @@ ordered_json describe(const Argument& a) {
 ordered_json describe(const TargetFunction& f) {
   ordered_json json;
   json["name"] = f.signature.name;
+  json["request"] = f.request;
   json["meaning"] = f.signature.meaning;
   json["inputs"] = ordered_json::array();
   json["outputs"] = ordered_json::array();
@@ -31,8 +32,11 @@ ordered_json describe(const TargetFunction& f) {
     ordered_json output = describe(f.signature.outputs[i]);
     output["symmetric"] = f.signature.outputs[i].symmetric;
     output["entries"] = f.entries(i);
+    output["tolerance"] = f.signature.outputs[i].tolerance;
     if (f.signature.outputs[i].sparse)
-      output["sparsity"] = {{"row", f.patterns[i].row}, {"col", f.patterns[i].col}};
+      output["sparsity"] = {{"row", f.patterns[i].row},
+                            {"col", f.patterns[i].col},
+                            {"colptr", f.patterns[i].colptr(f.signature.outputs[i].cols)}};
     json["outputs"].push_back(output);
   }
   json["arguments"] = ordered_json::array();
@@ -71,6 +75,17 @@ std::string manifest(const TargetModel& model, const Files& files) {
   if (!model.manifest_extra.empty()) json.update(ordered_json::parse(model.manifest_extra));
   for (const Table& table : model.limits) json["limits"][table.name] = limit_array(table.values);
   json["frames"] = model.frame_names;
+  json["loads"] = model.load_names;
+  json["axes"] = model.axes;
+  json["joint_forces"] = model.joint_forces;
+  json["friction_velocity"] = model.friction_velocity;
+  json["parameters"] = ordered_json::array();
+  for (const ParameterTable& p : model.parameters)
+    json["parameters"].push_back({{"name", p.name},
+                                  {"unit", p.unit},
+                                  {"meaning", p.meaning},
+                                  {"labels", p.labels},
+                                  {"nominal", p.nominal}});
   json["conventions"] = {
       {"units", "SI, radians"},
       {"floating base",
@@ -80,7 +95,12 @@ std::string manifest(const TargetModel& model, const Files& files) {
       {"forces", "linear then angular, in the body frame"},
       {"matrices",
        "raw functions write structural non-zeros by columns, of symmetric ones the upper "
-       "triangle"}};
+       "triangle; row and colptr are compressed column storage"},
+      {"axes",
+       "of frame velocities, Jacobians and external wrenches: local, at the frame's origin along "
+       "its axes; world, of the point at the world's origin along the world's axes; aligned, at "
+       "the frame's origin along the world's axes"},
+      {"tolerance", "agreement with the reference engine, relative to the largest entry"}};
   json["functions"] = ordered_json::array();
   for (const TargetFunction& f : model.functions) json["functions"].push_back(describe(f));
   for (const auto& [path, bytes] : files) json["files"][path] = sha256(bytes);

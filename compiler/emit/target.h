@@ -10,6 +10,10 @@
 
 namespace arboc {
 
+/// Agreement of second derivatives that the reference engine takes as differences of differences,
+/// which leave noise also in blocks of zeros: relative to the largest entry of all outputs.
+inline constexpr double kDifferencedTwice = 1e-6;
+
 /// An argument of a generated function.
 struct Argument {
   std::string name;
@@ -19,6 +23,7 @@ struct Argument {
   std::string meaning;     ///< one line, with the frame
   bool sparse = false;     ///< a matrix of which the structural non-zeros are written, by columns
   bool symmetric = false;  ///< of these the ones in the upper triangle
+  bool scalar = false;     ///< a number, not a vector that happens to have one entry
   /// Agreement with the reference engine, relative to the largest entry: rounding of some hundred
   /// operations, or what the engine's own differences are good for.
   double tolerance = 1e-12;
@@ -27,10 +32,14 @@ struct Argument {
   std::string code() const { return name == "T" ? "T_" : name; }
 };
 
-/// Structural non-zeros of a matrix output in the order in which they are written: by columns.
+/// Structural non-zeros of a matrix output in the order in which they are written: by columns, in
+/// each by rows.
 struct Pattern {
   std::vector<int> row;
   std::vector<int> col;
+
+  /// Where each of `cols` columns begins, and the end: with `row` compressed column storage.
+  std::vector<int> colptr(int cols) const;
 };
 
 struct Signature {
@@ -44,6 +53,7 @@ struct Signature {
 };
 
 struct TargetFunction {
+  std::string request;  ///< as on the command line: `rnea`, `--jacobian rnea.tau:q`
   Signature signature;
   std::vector<Pattern> patterns;  ///< per output; of dense ones, written row by row, empty
   Program program;
@@ -71,7 +81,7 @@ struct Table {
 
 /// An input that stands for numbers of the model.
 struct ParameterTable {
-  std::string name;
+  std::string name, unit, meaning;
   std::vector<std::string> labels;  ///< one an entry
   std::vector<double> nominal;      ///< as the model has them
 };
@@ -86,6 +96,9 @@ struct TargetModel {
   std::vector<std::string> velocity_names;  ///< one an entry of v
   std::vector<std::string> frame_names;     ///< rows of fk and of frame functions
   std::vector<std::string> load_names;      ///< rows of f_ext
+  std::string axes;                         ///< of frames and loads: local, world or aligned
+  std::vector<std::string> joint_forces;    ///< what joints add by themselves: damping ...
+  double friction_velocity = 0;             ///< rad/s, m/s; below it friction is smooth
   std::vector<ParameterTable> parameters;   ///< numbers of the model that are inputs
   std::vector<Table> limits;                ///< q_lower, q_upper (nq), v_limit, tau_limit (nv)
   std::vector<TargetFunction> functions;

@@ -27,6 +27,11 @@ Argument symmetric(Argument a) {
   return a;
 }
 
+Argument scalar(Argument a) {
+  a.scalar = true;
+  return a;
+}
+
 }  // namespace
 
 Argument input_argument(const std::string& name, const Setup& setup) {
@@ -89,9 +94,10 @@ Argument output_argument(const std::string& function, const std::string& name, c
   if (name == "h") return {name, 6, 1, "kg m/s, kg m^2/s", "linear, angular momentum, world axes"};
   if (name == "A_G") return sparse({name, 6, n, "kg m, kg, kg m^2", "h = A_G v"});
   if (name == "dh") return {name, 6, 1, "N, N m", "time derivative of h"};
-  if (name == "T") return {name, 1, 1, "J", "kinetic energy"};
+  if (name == "T") return scalar({name, 1, 1, "J", "kinetic energy"});
   if (name == "V")
-    return {name, 1, 1, "J", "potential energy; 0 with the centre of mass at the world's origin"};
+    return scalar(
+        {name, 1, 1, "J", "potential energy; 0 with the centre of mass at the world's origin"});
   if (name == "Y")
     return sparse({name, n, static_cast<int>(10 * setup.moving.size()), "m/s^2, m^2/s^2, 1/s^2",
                    "ten columns a moving link: m, m c (3), Ixx Ixy Iyy Ixz Iyz Izz about the "
