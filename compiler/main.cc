@@ -49,7 +49,10 @@ void add_inspect(CLI::App& app, Arguments& args) {
       ->type_name("[LIST]")
       ->default_str("");
   add_request_options(*sub, args.common);
-  sub->callback([sub, &args] { args.ops = sub->count("--ops") > 0; });
+  sub->callback([sub, &args] {
+    args.ops = sub->count("--ops") > 0 || !args.common.compile.requests.empty();
+    args.common.functions_option = "--ops";
+  });
 }
 
 void add_eval(CLI::App& app, Arguments& args) {

@@ -1,6 +1,10 @@
 #include "base/words.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "base/diagnostic.h"
 
 namespace arboc {
 namespace {
@@ -50,6 +54,24 @@ std::string nearest(std::string_view word, const std::vector<std::string_view>& 
     }
   }
   return best;
+}
+
+std::string quoted(std::string_view text) {
+  constexpr size_t kReadable = 80;
+  if (text.size() <= kReadable) return fmt::format("'{}'", text);
+  size_t end = kReadable;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // whole letters
+  return fmt::format("'{}...'", text.substr(0, end));
+}
+
+std::string unknown(std::string_view option, std::string_view what, std::string_view word,
+                    const std::vector<std::string_view>& known, size_t most) {
+  std::string hint = known.empty() ? "there is none" : "known are ";
+  for (size_t k = 0; k < known.size() && k < most; ++k) hint += (k ? ", " : "") + quoted(known[k]);
+  if (known.size() > most) hint += ", ...";
+  const std::string meant = nearest(word, known);
+  if (!meant.empty()) hint = fmt::format("did you mean {}?", quoted(meant));
+  return printable(fmt::format("{}: {} {} ({})", option, what, quoted(word), hint));
 }
 
 }  // namespace arboc

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "base/number.h"
+#include "base/words.h"
 #include "cli/help.h"
 #include "frontend/read_model.h"
 
@@ -48,6 +49,26 @@ Lock parse_lock(const std::string& text) {
   }
   if (lock.q.empty()) throw wrong;
   return lock;
+}
+
+/// "damping,rotor" on top of what is there.
+JointForces parse_joint_forces(JointForces forces, const std::string& list) {
+  const std::vector<std::string> given = split(list);
+  if (given.empty()) throw CLI::ValidationError("--joint-forces", "the list is empty");
+  for (const std::string& word : given) {
+    if (word == "damping")
+      forces.damping = true;
+    else if (word == "friction")
+      forces.friction = true;
+    else if (word == "stiffness")
+      forces.stiffness = true;
+    else if (word == "rotor")
+      forces.rotor = true;
+    else
+      throw UsageError(unknown("--joint-forces", "there is no force", word,
+                               {"damping", "friction", "stiffness", "rotor"}));
+  }
+  return forces;
 }
 
 void add_subchain_options(CLI::App& app, Common& common) {
@@ -151,9 +172,14 @@ void add_model_options(CLI::App& app, Common& common) {
 }
 
 void add_function_option(CLI::App& app, Common& common) {
-  app.add_option("--functions", common.functions,
-                 "comma-separated list, `dynamics` (the default) or `all`; known are " +
-                     fmt::format("{}", fmt::join(function_names(), ",")))
+  app.add_option_function<std::string>(
+         "--functions",
+         [&common](const std::string& list) {
+           if (split(list).empty()) throw CLI::ValidationError("--functions", "the list is empty");
+           common.functions = list;
+         },
+         fmt::format("comma-separated list, `dynamics` (the default) or `all`; known are {}",
+                     fmt::join(function_names(), ", ")))
       ->type_name("LIST");
   add_request_options(app, common);
 }
@@ -207,18 +233,7 @@ void add_request_options(CLI::App& app, Common& common) {
   app.add_option_function<std::string>(
          "--joint-forces",
          [&f](const std::string& given) {
-           for (const std::string& word : split(given)) {
-             if (word == "damping")
-               f.joint_forces.damping = true;
-             else if (word == "friction")
-               f.joint_forces.friction = true;
-             else if (word == "stiffness")
-               f.joint_forces.stiffness = true;
-             else if (word == "rotor")
-               f.joint_forces.rotor = true;
-             else
-               throw CLI::ValidationError("--joint-forces", "unknown word " + printable(word));
-           }
+           f.joint_forces = parse_joint_forces(f.joint_forces, given);
          },
          "what joints add by themselves: damping, friction, stiffness, rotor")
       ->type_name("LIST")
@@ -260,14 +275,11 @@ std::vector<Request> requests(const Common& common) {
       for (const std::string& f : function_names()) add({f});
     } else if (word == "dynamics") {
       for (const std::string& f : kDynamics) add({f});
-    } else if (!is_function(word)) {
-      throw UsageError(fmt::format("--functions: unknown function '{}'; known are {}",
-                                   printable(word), fmt::join(function_names(), ", ")));
     } else {
+      check_function(common.functions_option, word);
       add({word});
     }
   }
-  if (list.empty() && !common.functions.empty()) throw UsageError("--functions: the list is empty");
   for (const Request& request : common.compile.requests) add(request);
   return list;
 }

@@ -44,7 +44,8 @@ class CleanUp {
 struct Common {
   std::string path;
   CompileOptions compile;
-  std::string functions;  ///< as given; empty: the default
+  std::string functions;                         ///< as given; empty: the default
+  std::string functions_option = "--functions";  ///< what gave them
   bool json = false;
   bool verbose = false;
   bool strict = false;  ///< warnings are errors

@@ -11,7 +11,8 @@
 
 namespace arboc::cli {
 
-std::vector<std::vector<double>> read_csv(const std::string& path, int columns) {
+std::vector<std::vector<double>> read_csv(const std::string& path, int columns,
+                                          const std::string& input) {
   std::ifstream in(path);
   if (!in)
     throw InputError(
@@ -36,7 +37,7 @@ std::vector<std::vector<double>> read_csv(const std::string& path, int columns) 
       at = end + 1;
     }
     if (row.size() != static_cast<size_t>(columns))
-      fail(fmt::format("{} numbers, {} expected (one state a line)", row.size(), columns));
+      fail(fmt::format("{} numbers, but {} has {} (one state a line)", row.size(), input, columns));
     rows.push_back(std::move(row));
   }
   if (in.bad() || (!in.eof() && in.fail()))

@@ -5,9 +5,10 @@
 
 namespace arboc::cli {
 
-/// Reads a file whose every line has `columns` numbers.  Throws InputError that names file, line
-/// and remedy.
-std::vector<std::vector<double>> read_csv(const std::string& path, int columns);
+/// Reads a file whose every line has the `columns` numbers of `input`.  Throws InputError that names
+/// file, line and remedy.
+std::vector<std::vector<double>> read_csv(const std::string& path, int columns,
+                                          const std::string& input);
 
 /// A line with 17 significant digits a number, which read back exactly.
 std::string csv_line(const std::vector<double>& values);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 
+#include "base/words.h"
 #include "cli/build.h"
 #include "cli/common.h"
 #include "cli/csv.h"
@@ -18,8 +19,29 @@ namespace {
 /// The option that gives an input.
 std::string option_of(const std::string& input) {
   for (const char* own : {"q", "v", "a", "tau", "q1", "lambda"})
-    if (input == own) return input;
-  return input == "f_ext" ? "f-ext" : fmt::format("input {}=FILE", input);
+    if (input == own) return fmt::format("--{}", input);
+  return input == "f_ext" ? "--f-ext" : fmt::format("--input {}=FILE", input);
+}
+
+/// A file for what is no input.  q, v, a and tau are left unread, so that one command line serves
+/// every function; any other name is a mistake.
+void refuse_or_note(const std::string& name, const std::string& file, const Signature& s) {
+  for (const char* common : {"q", "v", "a", "tau"}) {
+    if (name != common) continue;
+    fmt::print(stderr, "note: {} is no input of {}; {} is not read\n", name, s.name,
+               printable(file));
+    return;
+  }
+  if (name == "f_ext")
+    throw UsageError(fmt::format(
+        "--f-ext: {} has no input f_ext (of rnea, nle, aba and their derivatives it is one where "
+        "--external-forces names links)",
+        s.name));
+  std::vector<std::string_view> known;
+  for (const Argument& a : s.inputs) known.emplace_back(a.name);
+  const bool own = option_of(name).find(' ') == std::string::npos;
+  throw UsageError(
+      unknown(own ? option_of(name) : "--input", s.name + " has no input", name, known));
 }
 
 /// Which inputs the traced function depends on.
@@ -45,7 +67,7 @@ std::vector<double> missing(const Argument& a, bool used, const Compilation& com
   for (const Parameter& p : compilation.setup.parameters)
     if (p.name == a.name) return p.nominal;
   if (used)
-    throw UsageError(fmt::format("--{} (an input of {}) is required", option_of(a.name),
+    throw UsageError(fmt::format("{} (an input of {}) is required", option_of(a.name),
                                  compilation.functions.front().signature.name));
   return std::vector<double>(static_cast<size_t>(a.rows), 0.0);
 }
@@ -56,16 +78,18 @@ std::vector<Values> read_states(const EvalOptions& options, const Compilation& c
   const std::vector<bool> used = used_inputs(f);
   std::map<std::string, std::vector<std::vector<double>>> rows;
   size_t states = 1;
-  std::map<std::string, std::string> unread = options.files;
+  for (const auto& [name, file] : options.files)
+    if (std::none_of(f.signature.inputs.begin(), f.signature.inputs.end(),
+                     [&name = name](const Argument& a) { return a.name == name; }))
+      refuse_or_note(name, file, f.signature);
   for (size_t k = 0; k < f.signature.inputs.size(); ++k) {
     const Argument& a = f.signature.inputs[k];
     const auto file = options.files.find(a.name);
-    unread.erase(a.name);
     if (file == options.files.end()) {
       rows[a.name] = {missing(a, used[k], compilation)};
       continue;
     }
-    rows[a.name] = read_csv(file->second, a.rows);
+    rows[a.name] = read_csv(file->second, a.rows, a.name);
     const size_t n = rows[a.name].size();
     if (n == 0) throw InputError(fmt::format("{}: error: no states", printable(file->second)));
     if (n != 1 && states != 1 && n != states)
@@ -73,9 +97,6 @@ std::vector<Values> read_states(const EvalOptions& options, const Compilation& c
                                    printable(file->second), n, states));
     states = std::max(states, n);
   }
-  for (const auto& [name, file] : unread)
-    fmt::print(stderr, "note: {} is no input of {}; {} is not read\n", printable(name),
-               f.signature.name, printable(file));
   std::vector<Values> result(states);
   for (size_t s = 0; s < states; ++s)
     for (const auto& [name, all] : rows) result[s][name] = all.size() == 1 ? all[0] : all[s];
@@ -120,18 +141,21 @@ Evaluate make_engine(const std::string& name, const Common& common, const Compil
 
 int run_eval(const Common& common, const EvalOptions& eval) {
   CompileOptions options = common.compile;
+  if (!eval.function.empty()) check_function("--function", eval.function);
   if (!eval.function.empty())
     options.requests.insert(options.requests.begin(), Request{eval.function});
   if (options.requests.size() != 1)
-    throw UsageError("eval evaluates one thing: --function F, or one derivative of an output");
+    throw UsageError(
+        fmt::format("eval evaluates one thing: --function F, or one derivative of an output; {}",
+                    options.requests.empty() ? "none is given" : "several are given"));
   const Compilation compilation = compiled(common, options);
   const CompiledFunction& f = compilation.functions.front();
-  std::vector<std::string> outputs;
-  for (const Argument& a : f.signature.outputs) outputs.push_back(a.name);
+  std::vector<std::string_view> outputs;
+  for (const Argument& a : f.signature.outputs) outputs.emplace_back(a.name);
   if (!eval.output.empty() &&
       std::find(outputs.begin(), outputs.end(), eval.output) == outputs.end())
-    throw UsageError(fmt::format("--output: {} has no output '{}', but {}", f.signature.name,
-                                 printable(eval.output), fmt::join(outputs, ", ")));
+    throw UsageError(
+        unknown("--output", f.signature.name + " has no output", eval.output, outputs));
   const std::vector<Values> states = read_states(eval, compilation);
   if (states.front().contains("q")) warn_about_quaternions(compilation.setup.model, states);
   const Evaluate engine = make_engine(eval.engine, common, options, compilation);

@@ -5,12 +5,27 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <sstream>
 
 #include "base/diagnostic.h"
 #include "cli/output.h"
 
 namespace arboc::cli {
 namespace {
+
+/// With line breaks in place of blanks where a line would be longer than `width`.
+std::string wrapped(const std::string& text, size_t width) {
+  std::istringstream words(text);
+  std::string out;
+  size_t column = 0;
+  for (std::string word; words >> word;) {
+    const bool breaks = column > 0 && column + 1 + word.size() > width;
+    if (column > 0) out += breaks ? '\n' : ' ';
+    column = (breaks || column == 0 ? 0 : column + 1) + word.size();
+    out += word;
+  }
+  return out;
+}
 
 class Formatter : public CLI::Formatter {
  public:
@@ -20,8 +35,9 @@ class Formatter : public CLI::Formatter {
   }
   std::string make_option_desc(const CLI::Option* option) const override {
     const std::string value = option->get_default_str();
-    return option->get_description() + (value.empty() ? "" : fmt::format(" [{}]", value)) +
-           (option->get_required() && !option->get_positional() ? " (required)" : "");
+    return wrapped(option->get_description() + (value.empty() ? "" : fmt::format(" [{}]", value)) +
+                       (option->get_required() && !option->get_positional() ? " (required)" : ""),
+                   66);
   }
 };
 

@@ -107,6 +107,25 @@ void print_text(const Model& model) {
   }
 }
 
+ordered_json describe(const Setup& setup) {
+  ordered_json json{{"frames", ordered_json::array()}, {"parameters", ordered_json::object()}};
+  for (const int frame : setup.frames)
+    json["frames"].push_back(setup.model.links[static_cast<size_t>(frame)].name);
+  for (const Parameter& p : setup.parameters)
+    json["parameters"][p.name] = {
+        {"unit", p.unit}, {"meaning", p.meaning}, {"labels", p.labels}, {"nominal", p.nominal}};
+  return json;
+}
+
+/// The entries of each parameter in their order, with the model's values.
+void print_parameters(const Setup& setup) {
+  for (const Parameter& p : setup.parameters) {
+    fmt::print("parameter {} ({}): {}\n", p.name, p.unit, p.meaning);
+    for (size_t k = 0; k < p.labels.size(); ++k)
+      fmt::print("{:>4}  {:<40} {}\n", k, printable(p.labels[k]), shortest(p.nominal[k]));
+  }
+}
+
 }  // namespace
 
 int run_inspect(const Common& common, bool count_ops) {
@@ -119,9 +138,13 @@ int run_inspect(const Common& common, bool count_ops) {
     json = describe(model, diagnostics);
   else
     print_text(model);
+  const Setup setup = resolve(model, common.compile.function);
+  if (common.json)
+    json.update(describe(setup));
+  else
+    print_parameters(setup);
   if (count_ops) {
     check_size(model, common.compile.max_dof);
-    const Setup setup = resolve(model, common.compile.function);
     if (!common.json)
       fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", "function", "total", "mul",
                  "add", "fma", "div", "sqrt", "sincos");

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "base/diagnostic.h"
+#include "base/words.h"
 #include "functions/arguments.h"
 
 namespace arboc {
@@ -89,13 +90,22 @@ const std::vector<Entry>& table() {
 // clang-format on
 
 const Entry& find(const std::string& name) {
-  const auto& all = table();
-  const auto entry =
-      std::find_if(all.begin(), all.end(), [&](const Entry& e) { return name == e.name; });
-  if (entry == all.end())
-    throw UsageError(fmt::format("unknown function '{}'; known are {}", printable(name),
-                                 fmt::join(function_names(), ", ")));
-  return *entry;
+  for (const Entry& entry : table())
+    if (name == entry.name) return entry;
+  throw std::logic_error("no function " + name);
+}
+
+/// The function asked for; a complaint begins with the option.
+const Entry& find(const Request& request) {
+  check_function(request.derivative == Derivative::kNone ? "--function" : text(request),
+                 request.function);
+  return find(request.function);
+}
+
+/// First or second derivatives, by definition or by an algorithm of their own.
+bool is_derivative(const Entry& entry) {
+  const std::string_view name = entry.name;
+  return name.ends_with("_derivatives") || name.ends_with("_hessian");
 }
 
 /// The catalogue's own functions; f_ext and parameters are inputs where there are any.
@@ -118,18 +128,79 @@ const Argument& named(const std::vector<Argument>& arguments, const std::string&
                       const Request& request, const char* what) {
   for (const Argument& a : arguments)
     if (a.name == name) return a;
-  std::vector<std::string> names;
-  for (const Argument& a : arguments) names.push_back(a.name);
-  throw UsageError(fmt::format("{}: {} has no {} '{}', but {}", text(request), request.function,
-                               what, printable(name), fmt::join(names, ", ")));
+  std::vector<std::string_view> names;
+  for (const Argument& a : arguments) names.emplace_back(a.name);
+  throw UsageError(
+      unknown(text(request), fmt::format("{} has no {}", request.function, what), name, names));
 }
 
-Argument matrix(const std::string& name, int rows, int cols, const std::string& meaning,
-                double tolerance) {
-  Argument a{name, rows, cols, "SI", meaning};
-  a.sparse = true;
-  a.tolerance = tolerance;
-  return a;
+/// Each input by which a derivative is taken is there, once.
+void check_inputs(const Request& request, const Signature& s) {
+  for (const std::string& input : request.with) {
+    named(s.inputs, input, request, "input");
+    if (std::count(request.with.begin(), request.with.end(), input) > 1)
+      throw UsageError(
+          fmt::format("{}: input '{}' is given twice", text(request), printable(input)));
+  }
+}
+
+/// What a derivative is taken of.
+std::string value_of(const Request& request, const Argument& of) {
+  if (request.squares) return fmt::format("{0}^T {0}", of.name);
+  const bool weighted = request.derivative == Derivative::kHessian && of.rows * of.cols > 1;
+  return weighted || request.derivative == Derivative::kVjp ? "lambda^T " + of.name : of.name;
+}
+
+/// Configurations move in their tangent space.
+std::string by(const std::string& input) {
+  return input == "q" || input == "q1" ? fmt::format("d of {} (+) d", input) : input;
+}
+
+/// (N m, N) / (rad, m): of a value, or its square, by an input.
+std::string quotient(const std::string& unit, const std::vector<std::string>& by) {
+  const auto factor = [](const std::string& u) {
+    return u.find_first_of(" ,/") == std::string::npos ? u : "(" + u + ")";
+  };
+  std::string out = factor(unit);
+  for (const std::string& u : by) out += " / " + factor(u);
+  return out;
+}
+std::string unit_of(const Request& request, const Argument& of) {
+  return request.squares ? "(" + of.unit + ")^2" : of.unit;
+}
+
+Argument first_derivative(const Request& request, const Argument& of, const Argument& input,
+                          int size) {
+  std::string meaning =
+      fmt::format("derivative of {} with respect to {}", value_of(request, of), by(input.name));
+  const std::string unit = quotient(unit_of(request, of), {input.unit});
+  if (request.derivative == Derivative::kGradient)
+    return {"grad_" + input.name, size, 1, unit, meaning};
+  if (request.derivative == Derivative::kVjp) return {"vjp_" + input.name, size, 1, unit, meaning};
+  if (of.cols > 1) meaning += fmt::format("; a row an entry of {}, by rows", of.name);
+  Argument J{fmt::format("d{}_d{}", of.name, input.name), of.rows * of.cols, size, unit, meaning};
+  J.sparse = true;
+  J.tolerance = 1e-11;
+  return J;
+}
+
+/// The reference engine takes differences along numbers of the model and wrenches, of second
+/// derivatives differences of differences.
+bool differenced(const std::string& input) {
+  return input != "q" && input != "v" && input != "a" && input != "tau" && input != "q1";
+}
+
+Argument second_derivative(const Request& request, const Argument& of, const Argument& x,
+                           const Argument& y) {
+  Argument H;
+  H.name = fmt::format("H_{}{}", x.name, y.name);
+  H.unit = quotient(unit_of(request, of), {x.unit, y.unit});
+  H.meaning =
+      fmt::format("second derivative of {} with respect to {}", value_of(request, of),
+                  x.name == y.name ? by(x.name) + ", twice" : by(x.name) + " and " + by(y.name));
+  H.sparse = true;
+  H.tolerance = differenced(x.name) && differenced(y.name) ? kDifferencedTwice : 1e-9;
+  return H;
 }
 
 void add_derivatives(const Request& request, const Setup& setup, const Argument& of, Signature& s) {
@@ -137,45 +208,45 @@ void add_derivatives(const Request& request, const Setup& setup, const Argument&
   const std::vector<std::string> with = derived_inputs(request, s);
   const int entries = of.rows * of.cols;
   const bool scalar = request.squares || entries == 1;
-  const std::string value = request.squares ? of.name + "^2" : of.name;
-  const auto size = [&](const std::string& name) {
-    return tangent_size(named(inputs, name, request, "input"), setup);
-  };
+  const auto input = [&](const std::string& name) { return named(inputs, name, request, "input"); };
+  const auto size = [&](const std::string& name) { return tangent_size(input(name), setup); };
   if (request.derivative == Derivative::kVjp ||
       (request.derivative == Derivative::kHessian && !scalar))
-    s.inputs.push_back({"lambda", entries, 1, "1", "weights of the entries of " + of.name});
+    s.inputs.push_back(
+        {"lambda", entries, 1, "1",
+         fmt::format("weights of the entries of {}{}", of.name, of.cols > 1 ? ", by rows" : "")});
   if (request.derivative == Derivative::kGradient && !scalar)
     throw UsageError(
         fmt::format("{}: {} has {} entries: ask for its --vjp, or for {}^2, the sum of its squares",
                     text(request), of.name, entries, of.name));
   for (size_t i = 0; i < with.size(); ++i) {
-    const int n = size(with[i]);
-    switch (request.derivative) {
-      case Derivative::kJacobian:
-        s.outputs.push_back(
-            matrix(fmt::format("d{}_d{}", of.name, with[i]), entries, n,
-                   fmt::format("derivative of {} with respect to {}", of.name, with[i]), 1e-11));
-        break;
-      case Derivative::kGradient:
-        s.outputs.push_back({"grad_" + with[i], n, 1, "SI",
-                             fmt::format("derivative of {} with respect to {}", value, with[i])});
-        break;
-      case Derivative::kVjp:
-        s.outputs.push_back(
-            {"vjp_" + with[i], n, 1, "SI",
-             fmt::format("derivative of lambda^T {} with respect to {}", of.name, with[i])});
-        break;
-      default:
-        for (size_t j = i; j < with.size(); ++j) {
-          Argument H = matrix(fmt::format("H_{}{}", with[i], with[j]), n, size(with[j]),
-                              fmt::format("second derivative of {} with respect to {} and {}",
-                                          scalar ? value : "lambda^T " + of.name, with[i], with[j]),
-                              1e-9);
-          H.symmetric = i == j && !setup.iterated;
-          s.outputs.push_back(H);
-        }
+    if (request.derivative != Derivative::kHessian) {
+      s.outputs.push_back(first_derivative(request, of, input(with[i]), size(with[i])));
+      continue;
+    }
+    for (size_t j = i; j < with.size(); ++j) {
+      Argument H = second_derivative(request, of, input(with[i]), input(with[j]));
+      H.rows = size(with[i]);
+      H.cols = size(with[j]);
+      H.symmetric = i == j && !setup.iterated;
+      s.outputs.push_back(H);
     }
   }
+}
+
+/// One sentence.
+std::string meaning_of(const Request& request, const Signature& base, const Argument& of,
+                       bool iterated) {
+  const char* kind = request.derivative == Derivative::kJacobian  ? "Jacobian"
+                     : request.derivative == Derivative::kHessian ? "Second derivatives"
+                                                                  : "Gradient";
+  const std::string value = value_of(request, of);
+  return fmt::format("{} of {}{} of {}{} with respect to {}{}.", kind, value,
+                     value == of.name ? "" : ", " + of.name, request.function,
+                     value == of.name ? "" : ",", fmt::join(derived_inputs(request, base), ", "),
+                     iterated && request.derivative == Derivative::kHessian
+                         ? "; derivatives of derivatives along the body's axes"
+                         : "");
 }
 
 }  // namespace
@@ -186,14 +257,16 @@ std::vector<std::string> function_names() {
   return names;
 }
 
-bool is_function(const std::string& name) {
-  return std::any_of(table().begin(), table().end(),
-                     [&](const Entry& e) { return name == e.name; });
+void check_function(const std::string& option, const std::string& name) {
+  std::vector<std::string_view> known;
+  for (const Entry& entry : table()) known.emplace_back(entry.name);
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    throw UsageError(unknown(option, "there is no function", name, known, known.size()));
 }
 
 Request defined_as(const Request& request) {
   if (request.derivative != Derivative::kNone) return request;
-  const Entry& entry = find(request.function);
+  const Entry& entry = find(request);
   if (!entry.definition) return request;
   const Derivative kind =
       request.function == "rnea_hessian" ? Derivative::kHessian : Derivative::kJacobian;
@@ -209,15 +282,17 @@ std::vector<std::string> derived_inputs(const Request& request, const Signature&
 }
 
 Signature signature(const Request& request, const Setup& setup) {
-  if (request.derivative != Derivative::kNone && find(request.function).definition)
+  if (request.derivative != Derivative::kNone && is_derivative(find(request)))
     throw UsageError(fmt::format("{}: {} is a derivative itself; ask for one of {}", text(request),
-                                 request.function, find(request.function).definition));
+                                 request.function,
+                                 request.function.substr(0, request.function.rfind('_'))));
   const Request definition = defined_as(request);
   Signature s = plain_signature(find(definition.function), setup);
   if (definition.derivative == Derivative::kNone) return s;
   const Argument of = named(s.outputs, definition.output, request, "output");
+  const std::string meaning = meaning_of(definition, s, of, setup.iterated);
   s.outputs.clear();
-  for (const std::string& input : definition.with) named(s.inputs, input, request, "input");
+  check_inputs(definition, s);
   add_derivatives(definition, setup, of, s);
   s.name = name(request);
   if (request.derivative == Derivative::kNone) {
@@ -228,7 +303,7 @@ Signature signature(const Request& request, const Setup& setup) {
       outputs.push_back(named(s.outputs, output, request, "output"));
     s.outputs = outputs;
   } else {
-    s.meaning = fmt::format("Derivative of {}: {}", request.function, text(request));
+    s.meaning = meaning;
   }
   return s;
 }

@@ -15,7 +15,8 @@ namespace arboc {
 
 /// All names, in the order of the documentation.
 std::vector<std::string> function_names();
-bool is_function(const std::string& name);
+/// Throws UsageError that begins with `option` if there is no such function.
+void check_function(const std::string& option, const std::string& name);
 
 /// Arguments with shapes and units.  Throws UsageError if the function has no such output or input.
 Signature signature(const Request& request, const Setup& setup);

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "base/diagnostic.h"
+#include "base/words.h"
+#include "model/findings.h"
 #include "model/names.h"
 #include "tree/lowering.h"
 
@@ -69,14 +72,19 @@ std::vector<int> candidates(const Model& model, Kind kind) {
 }
 
 /// Adds what one word asks for to the chosen links or joints of its group.
-void choose(const Model& model, const Group& group, const std::string& which,
+void choose(const Model& model, const Group& group, const std::optional<std::string>& which,
             std::vector<int>& chosen) {
   std::vector<int> wanted = candidates(model, group.kind);
-  if (!which.empty()) {
-    const int k = group.kind == Kind::kLength ? joint_called(model, which, "--parameters")
-                                              : link_called(model, which, "--parameters");
+  if (which && group.kind == Kind::kGravity)
+    throw UsageError("--parameters: gravity is one for all links: write gravity");
+  if (which) {
+    const int k = group.kind == Kind::kLength ? joint_called(model, *which, "--parameters")
+                                              : link_called(model, *which, "--parameters");
     if (std::find(wanted.begin(), wanted.end(), k) == wanted.end())
-      throw UsageError(fmt::format("--parameters: '{}' has no {}", printable(which), group.name));
+      throw UsageError(printable(
+          fmt::format("--parameters: {} has no {}: {}",
+                      named(group.kind == Kind::kLength ? "joint" : "link", *which), group.name,
+                      group.kind == Kind::kLength ? "it holds the base" : "it has no <inertial>")));
     wanted = {k};
   }
   for (const int k : wanted)
@@ -142,12 +150,15 @@ std::vector<Parameter> resolve_parameters(const Model& model,
     const std::string group = word.substr(0, colon);
     const auto found = std::find_if(groups().begin(), groups().end(),
                                     [&](const Group& g) { return group == g.name; });
-    if (found == groups().end())
-      throw UsageError(fmt::format(
-          "--parameters: unknown group '{}'; known are gravity, masses, centres, inertias, lengths",
-          printable(group)));
+    if (found == groups().end()) {
+      std::vector<std::string_view> known;
+      for (const Group& g : groups()) known.emplace_back(g.name);
+      throw UsageError(unknown("--parameters", "there is no group", group, known));
+    }
     const auto g = static_cast<size_t>(found - groups().begin());
-    choose(model, groups()[g], colon == std::string::npos ? "" : word.substr(colon + 1), chosen[g]);
+    std::optional<std::string> which;
+    if (colon != std::string::npos) which = word.substr(colon + 1);
+    choose(model, groups()[g], which, chosen[g]);
   }
   std::vector<Parameter> parameters;
   for (size_t g = 0; g < groups().size(); ++g)

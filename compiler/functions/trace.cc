@@ -96,6 +96,17 @@ void refuse_singular(const DynamicTree& tree, const std::vector<Expr>& pivots,
   }
 }
 
+/// Functions of the centre of mass divide by the mass of what moves.
+void refuse_massless(const DynamicTree& tree, const Setup& setup, const std::string& function) {
+  if (function != "com" && function != "com_jacobian" && function != "centroidal") return;
+  for (const Parameter& p : setup.parameters)
+    if (p.kind == Parameter::Kind::kMass) return;
+  if (total_mass<double>(tree) == 0)
+    throw InputError(fmt::format(
+        "error: nothing that moves has mass, so {} has no value (give links mass, or leave {} out)",
+        function, function));
+}
+
 /// A trace on its way: inputs, and outputs by name.
 class Tracer {
  public:
@@ -125,6 +136,7 @@ class Tracer {
  private:
   /// Results of a function of the catalogue; keeps its pivots.
   std::vector<std::vector<Expr>> evaluate(const Signature& s) {
+    refuse_massless(nominal_, setup_, s.name);
     std::vector<std::vector<Expr>> results =
         setup_.parameters.empty()
             ? arboc::run(s, nominal_, setup_, inputs_)

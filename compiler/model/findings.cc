@@ -49,14 +49,6 @@ void Findings::deliver(Diagnostics& diagnostics) const {
   if (errors > 0) throw InputError(first_error);
 }
 
-std::string quoted(std::string_view text) {
-  constexpr size_t kReadable = 80;
-  if (text.size() <= kReadable) return fmt::format("'{}'", text);
-  size_t end = kReadable;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // whole letters
-  return fmt::format("'{}...'", text.substr(0, end));
-}
-
 std::string named(const char* kind, std::string_view name) {
   return name.empty() ? kind : fmt::format("{} {}", kind, quoted(name));
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "base/words.h"
 
 namespace arboc {
 
@@ -51,8 +52,5 @@ class Findings {
 
 /// "joint 'elbow'": a kind and the name the user gave, cut to a readable length.
 std::string named(const char* kind, std::string_view name);
-
-/// User text cut to a readable length, between single quotes.
-std::string quoted(std::string_view text);
 
 }  // namespace arboc

@@ -47,12 +47,9 @@ inline Tangent nle(const Config& q, const Tangent& v) {
 /// Joint-space inertia matrix. [RBDA] Table 6.2.
 inline Matrix crba(const Config& q) {
   double entries[3];
+  Matrix M;
   raw::crba<double>(q.data(), entries);
-  Matrix M = Matrix::Zero(2, 2);
-  for (int k = 0; k < sparsity::crba_M_nnz; ++k) {
-    M(sparsity::crba_M_row[k], sparsity::crba_M_col[k]) = entries[k];
-    M(sparsity::crba_M_col[k], sparsity::crba_M_row[k]) = entries[k];
-  }
+  raw::scatter_crba_M(entries, M.data(), 1, 2);
   return M;
 }
 
@@ -60,12 +57,9 @@ inline Matrix crba(const Config& q) {
 /// `status`, if given, receives what raw::minv returns.
 inline Matrix minv(const Config& q, int* status = nullptr) {
   double entries[3];
+  Matrix Minv;
   const int failed = raw::minv<double>(q.data(), entries);
-  Matrix Minv = Matrix::Zero(2, 2);
-  for (int k = 0; k < sparsity::minv_Minv_nnz; ++k) {
-    Minv(sparsity::minv_Minv_row[k], sparsity::minv_Minv_col[k]) = entries[k];
-    Minv(sparsity::minv_Minv_col[k], sparsity::minv_Minv_row[k]) = entries[k];
-  }
+  raw::scatter_minv_Minv(entries, Minv.data(), 1, 2);
   if (status) *status = failed;
   return Minv;
 }
@@ -81,9 +75,9 @@ inline Tangent aba(const Config& q, const Tangent& v, const Tangent& tau, int* s
 
 /// Outputs of rnea_derivatives; those left null are not wanted.
 struct RneaDerivatives {
-  Matrix* dtau_dq = nullptr;
-  Matrix* dtau_dv = nullptr;
-  Matrix* M = nullptr;
+  Matrix* dtau_dq = nullptr;  ///< N m, N, N/m; derivative of tau with respect to q; floating and planar joints move along their body's axes
+  Matrix* dtau_dv = nullptr;  ///< N m s, N s, N s/m; derivative of tau with respect to v
+  Matrix* M = nullptr;  ///< kg m^2, kg m, kg; kinetic energy is v M v / 2
 };
 /// First derivatives of inverse dynamics with respect to q, v and a.
 inline void rnea_derivatives(const Config& q, const Tangent& v, const Tangent& a, const RneaDerivatives& out) {
@@ -92,65 +86,47 @@ inline void rnea_derivatives(const Config& q, const Tangent& v, const Tangent& a
   double M[3];
   raw::rnea_derivatives<double>(q.data(), v.data(), a.data(), dtau_dq, dtau_dv, M);
   if (out.dtau_dq) {
-    out.dtau_dq->setZero(2, 2);
-    for (int k = 0; k < sparsity::rnea_derivatives_dtau_dq_nnz; ++k) {
-      (*out.dtau_dq)(sparsity::rnea_derivatives_dtau_dq_row[k], sparsity::rnea_derivatives_dtau_dq_col[k]) = dtau_dq[k];
-    }
+    raw::scatter_rnea_derivatives_dtau_dq(dtau_dq, out.dtau_dq->data(), 1, 2);
   }
   if (out.dtau_dv) {
-    out.dtau_dv->setZero(2, 2);
-    for (int k = 0; k < sparsity::rnea_derivatives_dtau_dv_nnz; ++k) {
-      (*out.dtau_dv)(sparsity::rnea_derivatives_dtau_dv_row[k], sparsity::rnea_derivatives_dtau_dv_col[k]) = dtau_dv[k];
-    }
+    raw::scatter_rnea_derivatives_dtau_dv(dtau_dv, out.dtau_dv->data(), 1, 2);
   }
   if (out.M) {
-    out.M->setZero(2, 2);
-    for (int k = 0; k < sparsity::rnea_derivatives_M_nnz; ++k) {
-      (*out.M)(sparsity::rnea_derivatives_M_row[k], sparsity::rnea_derivatives_M_col[k]) = M[k];
-      (*out.M)(sparsity::rnea_derivatives_M_col[k], sparsity::rnea_derivatives_M_row[k]) = M[k];
-    }
+    raw::scatter_rnea_derivatives_M(M, out.M->data(), 1, 2);
   }
 }
 
 /// Outputs of aba_derivatives; those left null are not wanted.
 struct AbaDerivatives {
-  Matrix* dqdd_dq = nullptr;
-  Matrix* dqdd_dv = nullptr;
-  Matrix* Minv = nullptr;
+  Matrix* dqdd_dq = nullptr;  ///< 1/s^2, m/s^2, 1/(m s^2); derivative of qdd with respect to q, as that of tau
+  Matrix* dqdd_dv = nullptr;  ///< 1/s, m/s, 1/(m s); derivative of qdd with respect to v
+  Matrix* Minv = nullptr;  ///< 1/(kg m^2), 1/(kg m), 1/kg; inverse of M
 };
 /// First derivatives of forward dynamics with respect to q, v and tau.
-inline void aba_derivatives(const Config& q, const Tangent& v, const Tangent& tau, const AbaDerivatives& out) {
+/// Returns what raw::aba_derivatives returns.
+inline int aba_derivatives(const Config& q, const Tangent& v, const Tangent& tau, const AbaDerivatives& out) {
   double dqdd_dq[4];
   double dqdd_dv[4];
   double Minv[3];
-  raw::aba_derivatives<double>(q.data(), v.data(), tau.data(), dqdd_dq, dqdd_dv, Minv);
+  const int failed = raw::aba_derivatives<double>(q.data(), v.data(), tau.data(), dqdd_dq, dqdd_dv, Minv);
   if (out.dqdd_dq) {
-    out.dqdd_dq->setZero(2, 2);
-    for (int k = 0; k < sparsity::aba_derivatives_dqdd_dq_nnz; ++k) {
-      (*out.dqdd_dq)(sparsity::aba_derivatives_dqdd_dq_row[k], sparsity::aba_derivatives_dqdd_dq_col[k]) = dqdd_dq[k];
-    }
+    raw::scatter_aba_derivatives_dqdd_dq(dqdd_dq, out.dqdd_dq->data(), 1, 2);
   }
   if (out.dqdd_dv) {
-    out.dqdd_dv->setZero(2, 2);
-    for (int k = 0; k < sparsity::aba_derivatives_dqdd_dv_nnz; ++k) {
-      (*out.dqdd_dv)(sparsity::aba_derivatives_dqdd_dv_row[k], sparsity::aba_derivatives_dqdd_dv_col[k]) = dqdd_dv[k];
-    }
+    raw::scatter_aba_derivatives_dqdd_dv(dqdd_dv, out.dqdd_dv->data(), 1, 2);
   }
   if (out.Minv) {
-    out.Minv->setZero(2, 2);
-    for (int k = 0; k < sparsity::aba_derivatives_Minv_nnz; ++k) {
-      (*out.Minv)(sparsity::aba_derivatives_Minv_row[k], sparsity::aba_derivatives_Minv_col[k]) = Minv[k];
-      (*out.Minv)(sparsity::aba_derivatives_Minv_col[k], sparsity::aba_derivatives_Minv_row[k]) = Minv[k];
-    }
+    raw::scatter_aba_derivatives_Minv(Minv, out.Minv->data(), 1, 2);
   }
+  return failed;
 }
 
 /// Outputs of rnea_hessian; those left null are not wanted.
 struct RneaHessian {
-  Matrix* H_qq = nullptr;
-  Matrix* H_qv = nullptr;
-  Matrix* H_vv = nullptr;
-  Matrix* H_qa = nullptr;
+  Matrix* H_qq = nullptr;  ///< (N m, N) / (rad, m) / (rad, m); second derivative of lambda^T tau with respect to d of q (+) d, twice
+  Matrix* H_qv = nullptr;  ///< (N m, N) / (rad, m) / (rad/s, m/s); second derivative of lambda^T tau with respect to d of q (+) d and v
+  Matrix* H_vv = nullptr;  ///< (N m, N) / (rad/s, m/s) / (rad/s, m/s); second derivative of lambda^T tau with respect to v, twice
+  Matrix* H_qa = nullptr;  ///< (N m, N) / (rad, m) / (rad/s^2, m/s^2); second derivative of lambda^T tau with respect to d of q (+) d and a
 };
 /// Second derivatives of lambda^T tau with respect to q, v and a.
 inline void rnea_hessian(const Config& q, const Tangent& v, const Tangent& a, const Tangent& lambda, const RneaHessian& out) {
@@ -160,30 +136,16 @@ inline void rnea_hessian(const Config& q, const Tangent& v, const Tangent& a, co
   double H_qa[2];
   raw::rnea_hessian<double>(q.data(), v.data(), a.data(), lambda.data(), H_qq, H_qv, H_vv, H_qa);
   if (out.H_qq) {
-    out.H_qq->setZero(2, 2);
-    for (int k = 0; k < sparsity::rnea_hessian_H_qq_nnz; ++k) {
-      (*out.H_qq)(sparsity::rnea_hessian_H_qq_row[k], sparsity::rnea_hessian_H_qq_col[k]) = H_qq[k];
-      (*out.H_qq)(sparsity::rnea_hessian_H_qq_col[k], sparsity::rnea_hessian_H_qq_row[k]) = H_qq[k];
-    }
+    raw::scatter_rnea_hessian_H_qq(H_qq, out.H_qq->data(), 1, 2);
   }
   if (out.H_qv) {
-    out.H_qv->setZero(2, 2);
-    for (int k = 0; k < sparsity::rnea_hessian_H_qv_nnz; ++k) {
-      (*out.H_qv)(sparsity::rnea_hessian_H_qv_row[k], sparsity::rnea_hessian_H_qv_col[k]) = H_qv[k];
-    }
+    raw::scatter_rnea_hessian_H_qv(H_qv, out.H_qv->data(), 1, 2);
   }
   if (out.H_vv) {
-    out.H_vv->setZero(2, 2);
-    for (int k = 0; k < sparsity::rnea_hessian_H_vv_nnz; ++k) {
-      (*out.H_vv)(sparsity::rnea_hessian_H_vv_row[k], sparsity::rnea_hessian_H_vv_col[k]) = H_vv[k];
-      (*out.H_vv)(sparsity::rnea_hessian_H_vv_col[k], sparsity::rnea_hessian_H_vv_row[k]) = H_vv[k];
-    }
+    raw::scatter_rnea_hessian_H_vv(H_vv, out.H_vv->data(), 1, 2);
   }
   if (out.H_qa) {
-    out.H_qa->setZero(2, 2);
-    for (int k = 0; k < sparsity::rnea_hessian_H_qa_nnz; ++k) {
-      (*out.H_qa)(sparsity::rnea_hessian_H_qa_row[k], sparsity::rnea_hessian_H_qa_col[k]) = H_qa[k];
-    }
+    raw::scatter_rnea_hessian_H_qa(H_qa, out.H_qa->data(), 1, 2);
   }
 }
 
@@ -202,31 +164,27 @@ inline Eigen::Matrix<double, 2, 6, Eigen::RowMajor> frame_acceleration(const Con
 }
 
 /// Jacobians of the reported frames: velocity = J v.
-inline Eigen::Matrix<double, 12, 2, Eigen::RowMajor> frame_jacobian(const Config& q) {
+inline Eigen::Matrix<double, 12, 2> frame_jacobian(const Config& q) {
   double entries[5];
+  Eigen::Matrix<double, 12, 2> J;
   raw::frame_jacobian<double>(q.data(), entries);
-  Eigen::Matrix<double, 12, 2, Eigen::RowMajor> J = Eigen::Matrix<double, 12, 2, Eigen::RowMajor>::Zero(12, 2);
-  for (int k = 0; k < sparsity::frame_jacobian_J_nnz; ++k) {
-    J(sparsity::frame_jacobian_J_row[k], sparsity::frame_jacobian_J_col[k]) = entries[k];
-  }
+  raw::scatter_frame_jacobian_J(entries, J.data(), 1, 12);
   return J;
 }
 
 /// Time derivatives of the Jacobians of the reported frames.
-inline Eigen::Matrix<double, 12, 2, Eigen::RowMajor> frame_jacobian_dot(const Config& q, const Tangent& v) {
+inline Eigen::Matrix<double, 12, 2> frame_jacobian_dot(const Config& q, const Tangent& v) {
   double entries[2];
+  Eigen::Matrix<double, 12, 2> dJ;
   raw::frame_jacobian_dot<double>(q.data(), v.data(), entries);
-  Eigen::Matrix<double, 12, 2, Eigen::RowMajor> dJ = Eigen::Matrix<double, 12, 2, Eigen::RowMajor>::Zero(12, 2);
-  for (int k = 0; k < sparsity::frame_jacobian_dot_dJ_nnz; ++k) {
-    dJ(sparsity::frame_jacobian_dot_dJ_row[k], sparsity::frame_jacobian_dot_dJ_col[k]) = entries[k];
-  }
+  raw::scatter_frame_jacobian_dot_dJ(entries, dJ.data(), 1, 12);
   return dJ;
 }
 
 /// Outputs of frame_velocity_derivatives; those left null are not wanted.
 struct FrameVelocityDerivatives {
-  Eigen::Matrix<double, 12, 2, Eigen::RowMajor>* dvelocity_dq = nullptr;
-  Eigen::Matrix<double, 12, 2, Eigen::RowMajor>* dvelocity_dv = nullptr;
+  Eigen::Matrix<double, 12, 2>* dvelocity_dq = nullptr;  ///< (m/s, rad/s) / (rad, m); derivative of velocity with respect to d of q (+) d; a row an entry of velocity, by rows
+  Eigen::Matrix<double, 12, 2>* dvelocity_dv = nullptr;  ///< (m/s, rad/s) / (rad/s, m/s); derivative of velocity with respect to v; a row an entry of velocity, by rows
 };
 /// First derivatives of the velocities of the reported frames.
 inline void frame_velocity_derivatives(const Config& q, const Tangent& v, const FrameVelocityDerivatives& out) {
@@ -234,24 +192,18 @@ inline void frame_velocity_derivatives(const Config& q, const Tangent& v, const 
   double dvelocity_dv[5];
   raw::frame_velocity_derivatives<double>(q.data(), v.data(), dvelocity_dq, dvelocity_dv);
   if (out.dvelocity_dq) {
-    out.dvelocity_dq->setZero(12, 2);
-    for (int k = 0; k < sparsity::frame_velocity_derivatives_dvelocity_dq_nnz; ++k) {
-      (*out.dvelocity_dq)(sparsity::frame_velocity_derivatives_dvelocity_dq_row[k], sparsity::frame_velocity_derivatives_dvelocity_dq_col[k]) = dvelocity_dq[k];
-    }
+    raw::scatter_frame_velocity_derivatives_dvelocity_dq(dvelocity_dq, out.dvelocity_dq->data(), 1, 12);
   }
   if (out.dvelocity_dv) {
-    out.dvelocity_dv->setZero(12, 2);
-    for (int k = 0; k < sparsity::frame_velocity_derivatives_dvelocity_dv_nnz; ++k) {
-      (*out.dvelocity_dv)(sparsity::frame_velocity_derivatives_dvelocity_dv_row[k], sparsity::frame_velocity_derivatives_dvelocity_dv_col[k]) = dvelocity_dv[k];
-    }
+    raw::scatter_frame_velocity_derivatives_dvelocity_dv(dvelocity_dv, out.dvelocity_dv->data(), 1, 12);
   }
 }
 
 /// Outputs of frame_acceleration_derivatives; those left null are not wanted.
 struct FrameAccelerationDerivatives {
-  Eigen::Matrix<double, 12, 2, Eigen::RowMajor>* dacceleration_dq = nullptr;
-  Eigen::Matrix<double, 12, 2, Eigen::RowMajor>* dacceleration_dv = nullptr;
-  Eigen::Matrix<double, 12, 2, Eigen::RowMajor>* dacceleration_da = nullptr;
+  Eigen::Matrix<double, 12, 2>* dacceleration_dq = nullptr;  ///< (m/s^2, rad/s^2) / (rad, m); derivative of acceleration with respect to d of q (+) d; a row an entry of acceleration, by rows
+  Eigen::Matrix<double, 12, 2>* dacceleration_dv = nullptr;  ///< (m/s^2, rad/s^2) / (rad/s, m/s); derivative of acceleration with respect to v; a row an entry of acceleration, by rows
+  Eigen::Matrix<double, 12, 2>* dacceleration_da = nullptr;  ///< (m/s^2, rad/s^2) / (rad/s^2, m/s^2); derivative of acceleration with respect to a; a row an entry of acceleration, by rows
 };
 /// First derivatives of the accelerations of the reported frames.
 inline void frame_acceleration_derivatives(const Config& q, const Tangent& v, const Tangent& a, const FrameAccelerationDerivatives& out) {
@@ -260,40 +212,29 @@ inline void frame_acceleration_derivatives(const Config& q, const Tangent& v, co
   double dacceleration_da[5];
   raw::frame_acceleration_derivatives<double>(q.data(), v.data(), a.data(), dacceleration_dq, dacceleration_dv, dacceleration_da);
   if (out.dacceleration_dq) {
-    out.dacceleration_dq->setZero(12, 2);
-    for (int k = 0; k < sparsity::frame_acceleration_derivatives_dacceleration_dq_nnz; ++k) {
-      (*out.dacceleration_dq)(sparsity::frame_acceleration_derivatives_dacceleration_dq_row[k], sparsity::frame_acceleration_derivatives_dacceleration_dq_col[k]) = dacceleration_dq[k];
-    }
+    raw::scatter_frame_acceleration_derivatives_dacceleration_dq(dacceleration_dq, out.dacceleration_dq->data(), 1, 12);
   }
   if (out.dacceleration_dv) {
-    out.dacceleration_dv->setZero(12, 2);
-    for (int k = 0; k < sparsity::frame_acceleration_derivatives_dacceleration_dv_nnz; ++k) {
-      (*out.dacceleration_dv)(sparsity::frame_acceleration_derivatives_dacceleration_dv_row[k], sparsity::frame_acceleration_derivatives_dacceleration_dv_col[k]) = dacceleration_dv[k];
-    }
+    raw::scatter_frame_acceleration_derivatives_dacceleration_dv(dacceleration_dv, out.dacceleration_dv->data(), 1, 12);
   }
   if (out.dacceleration_da) {
-    out.dacceleration_da->setZero(12, 2);
-    for (int k = 0; k < sparsity::frame_acceleration_derivatives_dacceleration_da_nnz; ++k) {
-      (*out.dacceleration_da)(sparsity::frame_acceleration_derivatives_dacceleration_da_row[k], sparsity::frame_acceleration_derivatives_dacceleration_da_col[k]) = dacceleration_da[k];
-    }
+    raw::scatter_frame_acceleration_derivatives_dacceleration_da(dacceleration_da, out.dacceleration_da->data(), 1, 12);
   }
 }
 
 /// Motion subspaces of all coordinates at the world's origin, along its axes.
-inline Eigen::Matrix<double, 6, 2, Eigen::RowMajor> joint_jacobians(const Config& q) {
+inline Eigen::Matrix<double, 6, 2> joint_jacobians(const Config& q) {
   double entries[4];
+  Eigen::Matrix<double, 6, 2> J_world;
   raw::joint_jacobians<double>(q.data(), entries);
-  Eigen::Matrix<double, 6, 2, Eigen::RowMajor> J_world = Eigen::Matrix<double, 6, 2, Eigen::RowMajor>::Zero(6, 2);
-  for (int k = 0; k < sparsity::joint_jacobians_J_world_nnz; ++k) {
-    J_world(sparsity::joint_jacobians_J_world_row[k], sparsity::joint_jacobians_J_world_col[k]) = entries[k];
-  }
+  raw::scatter_joint_jacobians_J_world(entries, J_world.data(), 1, 6);
   return J_world;
 }
 
 /// Outputs of com; those left null are not wanted.
 struct Com {
-  Eigen::Matrix<double, 3, 1, Eigen::RowMajor>* c = nullptr;
-  Eigen::Matrix<double, 3, 1, Eigen::RowMajor>* vc = nullptr;
+  Eigen::Matrix<double, 3, 1>* c = nullptr;  ///< m; centre of mass in the world
+  Eigen::Matrix<double, 3, 1>* vc = nullptr;  ///< m/s; its velocity, world axes
 };
 /// Centre of mass of the moving links, and its velocity.
 inline void com(const Config& q, const Tangent& v, const Com& out) {
@@ -301,29 +242,27 @@ inline void com(const Config& q, const Tangent& v, const Com& out) {
   double vc[3];
   raw::com<double>(q.data(), v.data(), c, vc);
   if (out.c) {
-    *out.c = Eigen::Map<const Eigen::Matrix<double, 3, 1, Eigen::RowMajor>>(c);
+    *out.c = Eigen::Map<const Eigen::Matrix<double, 3, 1>>(c);
   }
   if (out.vc) {
-    *out.vc = Eigen::Map<const Eigen::Matrix<double, 3, 1, Eigen::RowMajor>>(vc);
+    *out.vc = Eigen::Map<const Eigen::Matrix<double, 3, 1>>(vc);
   }
 }
 
 /// Jacobian of the centre of mass: vc = Jc v.
-inline Eigen::Matrix<double, 3, 2, Eigen::RowMajor> com_jacobian(const Config& q) {
+inline Eigen::Matrix<double, 3, 2> com_jacobian(const Config& q) {
   double entries[4];
+  Eigen::Matrix<double, 3, 2> Jc;
   raw::com_jacobian<double>(q.data(), entries);
-  Eigen::Matrix<double, 3, 2, Eigen::RowMajor> Jc = Eigen::Matrix<double, 3, 2, Eigen::RowMajor>::Zero(3, 2);
-  for (int k = 0; k < sparsity::com_jacobian_Jc_nnz; ++k) {
-    Jc(sparsity::com_jacobian_Jc_row[k], sparsity::com_jacobian_Jc_col[k]) = entries[k];
-  }
+  raw::scatter_com_jacobian_Jc(entries, Jc.data(), 1, 3);
   return Jc;
 }
 
 /// Outputs of centroidal; those left null are not wanted.
 struct Centroidal {
-  Eigen::Matrix<double, 6, 1, Eigen::RowMajor>* h = nullptr;
-  Eigen::Matrix<double, 6, 2, Eigen::RowMajor>* A_G = nullptr;
-  Eigen::Matrix<double, 6, 1, Eigen::RowMajor>* dh = nullptr;
+  Eigen::Matrix<double, 6, 1>* h = nullptr;  ///< kg m/s, kg m^2/s; linear, angular momentum, world axes
+  Eigen::Matrix<double, 6, 2>* A_G = nullptr;  ///< kg m, kg, kg m^2; h = A_G v
+  Eigen::Matrix<double, 6, 1>* dh = nullptr;  ///< N, N m; time derivative of h
 };
 /// Momentum about the centre of mass, its matrix, h = A_G v, and its rate.
 inline void centroidal(const Config& q, const Tangent& v, const Tangent& a, const Centroidal& out) {
@@ -332,57 +271,52 @@ inline void centroidal(const Config& q, const Tangent& v, const Tangent& a, cons
   double dh[6];
   raw::centroidal<double>(q.data(), v.data(), a.data(), h, A_G, dh);
   if (out.h) {
-    *out.h = Eigen::Map<const Eigen::Matrix<double, 6, 1, Eigen::RowMajor>>(h);
+    *out.h = Eigen::Map<const Eigen::Matrix<double, 6, 1>>(h);
   }
   if (out.A_G) {
-    out.A_G->setZero(6, 2);
-    for (int k = 0; k < sparsity::centroidal_A_G_nnz; ++k) {
-      (*out.A_G)(sparsity::centroidal_A_G_row[k], sparsity::centroidal_A_G_col[k]) = A_G[k];
-    }
+    raw::scatter_centroidal_A_G(A_G, out.A_G->data(), 1, 6);
   }
   if (out.dh) {
-    *out.dh = Eigen::Map<const Eigen::Matrix<double, 6, 1, Eigen::RowMajor>>(dh);
+    *out.dh = Eigen::Map<const Eigen::Matrix<double, 6, 1>>(dh);
   }
 }
 
 /// Outputs of energy; those left null are not wanted.
 struct Energy {
-  Eigen::Matrix<double, 1, 1, Eigen::RowMajor>* T = nullptr;
-  Eigen::Matrix<double, 1, 1, Eigen::RowMajor>* V = nullptr;
+  double* T_ = nullptr;  ///< J; kinetic energy
+  double* V = nullptr;  ///< J; potential energy; 0 with the centre of mass at the world's origin
 };
 /// Kinetic energy, and potential energy in the field of gravity.
 inline void energy(const Config& q, const Tangent& v, const Energy& out) {
-  double T[1];
+  double T_[1];
   double V[1];
-  raw::energy<double>(q.data(), v.data(), T, V);
-  if (out.T) {
-    *out.T = Eigen::Map<const Eigen::Matrix<double, 1, 1, Eigen::RowMajor>>(T);
+  raw::energy<double>(q.data(), v.data(), T_, V);
+  if (out.T_) {
+    *out.T_ = T_[0];
   }
   if (out.V) {
-    *out.V = Eigen::Map<const Eigen::Matrix<double, 1, 1, Eigen::RowMajor>>(V);
+    *out.V = V[0];
   }
 }
 
 /// Regressor of inverse dynamics: tau = Y pi, pi ten inertial parameters a moving link.
-inline Eigen::Matrix<double, 2, 20, Eigen::RowMajor> regressor(const Config& q, const Tangent& v, const Tangent& a) {
+inline Eigen::Matrix<double, 2, 20> regressor(const Config& q, const Tangent& v, const Tangent& a) {
   double entries[10];
+  Eigen::Matrix<double, 2, 20> Y;
   raw::regressor<double>(q.data(), v.data(), a.data(), entries);
-  Eigen::Matrix<double, 2, 20, Eigen::RowMajor> Y = Eigen::Matrix<double, 2, 20, Eigen::RowMajor>::Zero(2, 20);
-  for (int k = 0; k < sparsity::regressor_Y_nnz; ++k) {
-    Y(sparsity::regressor_Y_row[k], sparsity::regressor_Y_col[k]) = entries[k];
-  }
+  raw::scatter_regressor_Y(entries, Y.data(), 1, 2);
   return Y;
 }
 
 /// Moves a configuration: q (+) v.
-inline Tangent integrate(const Config& q, const Tangent& v) {
-  Tangent q_next;
+inline Config integrate(const Config& q, const Tangent& v) {
+  Config q_next;
   raw::integrate<double>(q.data(), v.data(), q_next.data());
   return q_next;
 }
 
 /// What moves q to q1: q (+) d = q1.
-inline Tangent difference(const Config& q, const Tangent& q1) {
+inline Tangent difference(const Config& q, const Config& q1) {
   Tangent d;
   raw::difference<double>(q.data(), q1.data(), d.data());
   return d;
@@ -390,8 +324,8 @@ inline Tangent difference(const Config& q, const Tangent& q1) {
 
 /// Outputs of integrate_derivatives; those left null are not wanted.
 struct IntegrateDerivatives {
-  Matrix* dq_next_dq = nullptr;
-  Matrix* dq_next_dv = nullptr;
+  Matrix* dq_next_dq = nullptr;  ///< 1, m, 1/m; between tangent vectors
+  Matrix* dq_next_dv = nullptr;  ///< 1, m, 1/m; between tangent vectors
 };
 /// First derivatives of q (+) v in the tangent spaces.
 inline void integrate_derivatives(const Config& q, const Tangent& v, const IntegrateDerivatives& out) {
@@ -399,40 +333,28 @@ inline void integrate_derivatives(const Config& q, const Tangent& v, const Integ
   double dq_next_dv[2];
   raw::integrate_derivatives<double>(q.data(), v.data(), dq_next_dq, dq_next_dv);
   if (out.dq_next_dq) {
-    out.dq_next_dq->setZero(2, 2);
-    for (int k = 0; k < sparsity::integrate_derivatives_dq_next_dq_nnz; ++k) {
-      (*out.dq_next_dq)(sparsity::integrate_derivatives_dq_next_dq_row[k], sparsity::integrate_derivatives_dq_next_dq_col[k]) = dq_next_dq[k];
-    }
+    raw::scatter_integrate_derivatives_dq_next_dq(dq_next_dq, out.dq_next_dq->data(), 1, 2);
   }
   if (out.dq_next_dv) {
-    out.dq_next_dv->setZero(2, 2);
-    for (int k = 0; k < sparsity::integrate_derivatives_dq_next_dv_nnz; ++k) {
-      (*out.dq_next_dv)(sparsity::integrate_derivatives_dq_next_dv_row[k], sparsity::integrate_derivatives_dq_next_dv_col[k]) = dq_next_dv[k];
-    }
+    raw::scatter_integrate_derivatives_dq_next_dv(dq_next_dv, out.dq_next_dv->data(), 1, 2);
   }
 }
 
 /// Outputs of difference_derivatives; those left null are not wanted.
 struct DifferenceDerivatives {
-  Matrix* dd_dq = nullptr;
-  Matrix* dd_dq1 = nullptr;
+  Matrix* dd_dq = nullptr;  ///< 1, m, 1/m; between tangent vectors
+  Matrix* dd_dq1 = nullptr;  ///< 1, m, 1/m; between tangent vectors
 };
 /// First derivatives of difference in the tangent spaces.
-inline void difference_derivatives(const Config& q, const Tangent& q1, const DifferenceDerivatives& out) {
+inline void difference_derivatives(const Config& q, const Config& q1, const DifferenceDerivatives& out) {
   double dd_dq[2];
   double dd_dq1[2];
   raw::difference_derivatives<double>(q.data(), q1.data(), dd_dq, dd_dq1);
   if (out.dd_dq) {
-    out.dd_dq->setZero(2, 2);
-    for (int k = 0; k < sparsity::difference_derivatives_dd_dq_nnz; ++k) {
-      (*out.dd_dq)(sparsity::difference_derivatives_dd_dq_row[k], sparsity::difference_derivatives_dd_dq_col[k]) = dd_dq[k];
-    }
+    raw::scatter_difference_derivatives_dd_dq(dd_dq, out.dd_dq->data(), 1, 2);
   }
   if (out.dd_dq1) {
-    out.dd_dq1->setZero(2, 2);
-    for (int k = 0; k < sparsity::difference_derivatives_dd_dq1_nnz; ++k) {
-      (*out.dd_dq1)(sparsity::difference_derivatives_dd_dq1_row[k], sparsity::difference_derivatives_dd_dq1_col[k]) = dd_dq1[k];
-    }
+    raw::scatter_difference_derivatives_dd_dq1(dd_dq1, out.dd_dq1->data(), 1, 2);
   }
 }
 

@@ -46,8 +46,8 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT T_, T* AR
 /// Kinetic energy, and potential energy in the field of gravity.
 /// in  q: 2 entries; rad, m; configuration; quaternions x y z w of length 1
 /// in  v: 2 entries; rad/s, m/s; velocity; floating joints linear, angular in the body frame
-/// out T: 1 entries; J; kinetic energy
-/// out V: 1 entries; J; potential energy; 0 with the centre of mass at the world's origin
+/// out T_: 1 entry; J; kinetic energy
+/// out V: 1 entry; J; potential energy; 0 with the centre of mass at the world's origin
 /// 10 mul, 1 add, 6 fma, 0 div, 0 sqrt, 2 sincos.
 template <class T>
 void energy(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT T_, T* ARBOC_RESTRICT V) noexcept {

@@ -34,7 +34,7 @@ ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT placements, T* ARBOC_RESTRICT w) noe
 
 /// Forward kinematics: where the reported links' frames are in the world.
 /// in  q: 2 entries; rad, m; configuration; quaternions x y z w of length 1
-/// out placements: 24 entries; 1, m; one row a frame: rotation matrix (world from link, by rows), then origin in the world
+/// out placements: 2 x 12 by rows; 1, m; one row a frame: rotation matrix (world from link, by rows), then origin in the world
 /// 2 mul, 0 add, 2 fma, 0 div, 0 sqrt, 2 sincos.
 template <class T>
 void fk(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT placements) noexcept {

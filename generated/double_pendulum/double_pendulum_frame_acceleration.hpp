@@ -38,7 +38,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
 /// in  q: 2 entries; rad, m; configuration; quaternions x y z w of length 1
 /// in  v: 2 entries; rad/s, m/s; velocity; floating joints linear, angular in the body frame
 /// in  a: 2 entries; rad/s^2, m/s^2; time derivative of v
-/// out acceleration: 12 entries; m/s^2, rad/s^2; one row a frame: linear, angular; at the frame's origin, along its axes
+/// out acceleration: 2 x 6 by rows; m/s^2, rad/s^2; one row a frame: linear, angular; at the frame's origin, along its axes
 /// 4 mul, 1 add, 2 fma, 0 div, 0 sqrt, 1 sincos.
 template <class T>
 void frame_acceleration(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT acceleration) noexcept {

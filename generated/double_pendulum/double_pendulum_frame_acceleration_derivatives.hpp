@@ -43,9 +43,9 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
 /// in  q: 2 entries; rad, m; configuration; quaternions x y z w of length 1
 /// in  v: 2 entries; rad/s, m/s; velocity; floating joints linear, angular in the body frame
 /// in  a: 2 entries; rad/s^2, m/s^2; time derivative of v
-/// out dacceleration_dq: 2 structural non-zeros of 12 x 2 by columns; SI; derivative of acceleration with respect to q
-/// out dacceleration_dv: 4 structural non-zeros of 12 x 2 by columns; SI; derivative of acceleration with respect to v
-/// out dacceleration_da: 5 structural non-zeros of 12 x 2 by columns; SI; derivative of acceleration with respect to a
+/// out dacceleration_dq: 2 structural non-zeros of 12 x 2 by columns; (m/s^2, rad/s^2) / (rad, m); derivative of acceleration with respect to d of q (+) d; a row an entry of acceleration, by rows
+/// out dacceleration_dv: 4 structural non-zeros of 12 x 2 by columns; (m/s^2, rad/s^2) / (rad/s, m/s); derivative of acceleration with respect to v; a row an entry of acceleration, by rows
+/// out dacceleration_da: 5 structural non-zeros of 12 x 2 by columns; (m/s^2, rad/s^2) / (rad/s^2, m/s^2); derivative of acceleration with respect to a; a row an entry of acceleration, by rows
 /// 6 mul, 0 add, 2 fma, 0 div, 0 sqrt, 1 sincos.
 template <class T>
 void frame_acceleration_derivatives(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT dacceleration_dq, T* ARBOC_RESTRICT dacceleration_dv, T* ARBOC_RESTRICT dacceleration_da) noexcept {

@@ -35,7 +35,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT velocity,
 /// Velocities of the reported frames.
 /// in  q: 2 entries; rad, m; configuration; quaternions x y z w of length 1
 /// in  v: 2 entries; rad/s, m/s; velocity; floating joints linear, angular in the body frame
-/// out velocity: 12 entries; m/s, rad/s; one row a frame: linear, angular; at the frame's origin, along its axes
+/// out velocity: 2 x 6 by rows; m/s, rad/s; one row a frame: linear, angular; at the frame's origin, along its axes
 /// 2 mul, 1 add, 0 fma, 0 div, 0 sqrt, 1 sincos.
 template <class T>
 void frame_velocity(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT velocity) noexcept {

@@ -33,8 +33,8 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT dvelocity
 /// First derivatives of the velocities of the reported frames.
 /// in  q: 2 entries; rad, m; configuration; quaternions x y z w of length 1
 /// in  v: 2 entries; rad/s, m/s; velocity; floating joints linear, angular in the body frame
-/// out dvelocity_dq: 2 structural non-zeros of 12 x 2 by columns; SI; derivative of velocity with respect to q
-/// out dvelocity_dv: 5 structural non-zeros of 12 x 2 by columns; SI; derivative of velocity with respect to v
+/// out dvelocity_dq: 2 structural non-zeros of 12 x 2 by columns; (m/s, rad/s) / (rad, m); derivative of velocity with respect to d of q (+) d; a row an entry of velocity, by rows
+/// out dvelocity_dv: 5 structural non-zeros of 12 x 2 by columns; (m/s, rad/s) / (rad/s, m/s); derivative of velocity with respect to v; a row an entry of velocity, by rows
 /// 2 mul, 0 add, 0 fma, 0 div, 0 sqrt, 1 sincos.
 template <class T>
 void frame_velocity_derivatives(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT dvelocity_dq, T* ARBOC_RESTRICT dvelocity_dv) noexcept {

@@ -28,151 +28,222 @@ inline constexpr double v_limit[2] = {
 inline constexpr double tau_limit[2] = {
     10.0, 10.0};
 
-/// Rows of fk's output.
+/// Frames in the order of fk and of the frame functions: row k of what has one row a frame.
 namespace frame {
 inline constexpr int upper_rod = 0;
 inline constexpr int lower_rod = 1;
 }  // namespace frame
 
 /// Where the structural non-zeros of matrices stand, in the order in which raw functions write
-/// them: by columns, of symmetric matrices the upper triangle.
+/// them: by columns, of symmetric matrices the upper triangle.  Column j has those from
+/// colptr[j] to before colptr[j + 1], so that row and colptr are compressed column storage.
 namespace sparsity {
 inline constexpr int crba_M_nnz = 3;
 inline constexpr int crba_M_row[3] = {
     0, 0, 1};
 inline constexpr int crba_M_col[3] = {
     0, 1, 1};
+inline constexpr int crba_M_colptr[3] = {
+    0, 1, 3};
 inline constexpr int minv_Minv_nnz = 3;
 inline constexpr int minv_Minv_row[3] = {
     0, 0, 1};
 inline constexpr int minv_Minv_col[3] = {
     0, 1, 1};
+inline constexpr int minv_Minv_colptr[3] = {
+    0, 1, 3};
 inline constexpr int rnea_derivatives_dtau_dq_nnz = 4;
 inline constexpr int rnea_derivatives_dtau_dq_row[4] = {
     0, 1, 0, 1};
 inline constexpr int rnea_derivatives_dtau_dq_col[4] = {
     0, 0, 1, 1};
+inline constexpr int rnea_derivatives_dtau_dq_colptr[3] = {
+    0, 2, 4};
 inline constexpr int rnea_derivatives_dtau_dv_nnz = 3;
 inline constexpr int rnea_derivatives_dtau_dv_row[3] = {
     0, 1, 0};
 inline constexpr int rnea_derivatives_dtau_dv_col[3] = {
     0, 0, 1};
+inline constexpr int rnea_derivatives_dtau_dv_colptr[3] = {
+    0, 2, 3};
 inline constexpr int rnea_derivatives_M_nnz = 3;
 inline constexpr int rnea_derivatives_M_row[3] = {
     0, 0, 1};
 inline constexpr int rnea_derivatives_M_col[3] = {
     0, 1, 1};
+inline constexpr int rnea_derivatives_M_colptr[3] = {
+    0, 1, 3};
 inline constexpr int aba_derivatives_dqdd_dq_nnz = 4;
 inline constexpr int aba_derivatives_dqdd_dq_row[4] = {
     0, 1, 0, 1};
 inline constexpr int aba_derivatives_dqdd_dq_col[4] = {
     0, 0, 1, 1};
+inline constexpr int aba_derivatives_dqdd_dq_colptr[3] = {
+    0, 2, 4};
 inline constexpr int aba_derivatives_dqdd_dv_nnz = 4;
 inline constexpr int aba_derivatives_dqdd_dv_row[4] = {
     0, 1, 0, 1};
 inline constexpr int aba_derivatives_dqdd_dv_col[4] = {
     0, 0, 1, 1};
+inline constexpr int aba_derivatives_dqdd_dv_colptr[3] = {
+    0, 2, 4};
 inline constexpr int aba_derivatives_Minv_nnz = 3;
 inline constexpr int aba_derivatives_Minv_row[3] = {
     0, 0, 1};
 inline constexpr int aba_derivatives_Minv_col[3] = {
     0, 1, 1};
+inline constexpr int aba_derivatives_Minv_colptr[3] = {
+    0, 1, 3};
 inline constexpr int rnea_hessian_H_qq_nnz = 3;
 inline constexpr int rnea_hessian_H_qq_row[3] = {
     0, 0, 1};
 inline constexpr int rnea_hessian_H_qq_col[3] = {
     0, 1, 1};
+inline constexpr int rnea_hessian_H_qq_colptr[3] = {
+    0, 1, 3};
 inline constexpr int rnea_hessian_H_qv_nnz = 2;
 inline constexpr int rnea_hessian_H_qv_row[2] = {
     1, 1};
 inline constexpr int rnea_hessian_H_qv_col[2] = {
     0, 1};
+inline constexpr int rnea_hessian_H_qv_colptr[3] = {
+    0, 1, 2};
 inline constexpr int rnea_hessian_H_vv_nnz = 3;
 inline constexpr int rnea_hessian_H_vv_row[3] = {
     0, 0, 1};
 inline constexpr int rnea_hessian_H_vv_col[3] = {
     0, 1, 1};
+inline constexpr int rnea_hessian_H_vv_colptr[3] = {
+    0, 1, 3};
 inline constexpr int rnea_hessian_H_qa_nnz = 2;
 inline constexpr int rnea_hessian_H_qa_row[2] = {
     1, 1};
 inline constexpr int rnea_hessian_H_qa_col[2] = {
     0, 1};
+inline constexpr int rnea_hessian_H_qa_colptr[3] = {
+    0, 1, 2};
 inline constexpr int frame_jacobian_J_nnz = 5;
 inline constexpr int frame_jacobian_J_row[5] = {
     4, 6, 8, 10, 10};
 inline constexpr int frame_jacobian_J_col[5] = {
     0, 0, 0, 0, 1};
+inline constexpr int frame_jacobian_J_colptr[3] = {
+    0, 4, 5};
 inline constexpr int frame_jacobian_dot_dJ_nnz = 2;
 inline constexpr int frame_jacobian_dot_dJ_row[2] = {
     6, 8};
 inline constexpr int frame_jacobian_dot_dJ_col[2] = {
     0, 0};
+inline constexpr int frame_jacobian_dot_dJ_colptr[3] = {
+    0, 2, 2};
 inline constexpr int frame_velocity_derivatives_dvelocity_dq_nnz = 2;
 inline constexpr int frame_velocity_derivatives_dvelocity_dq_row[2] = {
     6, 8};
 inline constexpr int frame_velocity_derivatives_dvelocity_dq_col[2] = {
     1, 1};
+inline constexpr int frame_velocity_derivatives_dvelocity_dq_colptr[3] = {
+    0, 0, 2};
 inline constexpr int frame_velocity_derivatives_dvelocity_dv_nnz = 5;
 inline constexpr int frame_velocity_derivatives_dvelocity_dv_row[5] = {
     4, 6, 8, 10, 10};
 inline constexpr int frame_velocity_derivatives_dvelocity_dv_col[5] = {
     0, 0, 0, 0, 1};
+inline constexpr int frame_velocity_derivatives_dvelocity_dv_colptr[3] = {
+    0, 4, 5};
 inline constexpr int frame_acceleration_derivatives_dacceleration_dq_nnz = 2;
 inline constexpr int frame_acceleration_derivatives_dacceleration_dq_row[2] = {
     6, 8};
 inline constexpr int frame_acceleration_derivatives_dacceleration_dq_col[2] = {
     1, 1};
+inline constexpr int frame_acceleration_derivatives_dacceleration_dq_colptr[3] = {
+    0, 0, 2};
 inline constexpr int frame_acceleration_derivatives_dacceleration_dv_nnz = 4;
 inline constexpr int frame_acceleration_derivatives_dacceleration_dv_row[4] = {
     6, 8, 6, 8};
 inline constexpr int frame_acceleration_derivatives_dacceleration_dv_col[4] = {
     0, 0, 1, 1};
+inline constexpr int frame_acceleration_derivatives_dacceleration_dv_colptr[3] = {
+    0, 2, 4};
 inline constexpr int frame_acceleration_derivatives_dacceleration_da_nnz = 5;
 inline constexpr int frame_acceleration_derivatives_dacceleration_da_row[5] = {
     4, 6, 8, 10, 10};
 inline constexpr int frame_acceleration_derivatives_dacceleration_da_col[5] = {
     0, 0, 0, 0, 1};
+inline constexpr int frame_acceleration_derivatives_dacceleration_da_colptr[3] = {
+    0, 4, 5};
 inline constexpr int joint_jacobians_J_world_nnz = 4;
 inline constexpr int joint_jacobians_J_world_row[4] = {
     4, 0, 2, 4};
 inline constexpr int joint_jacobians_J_world_col[4] = {
     0, 1, 1, 1};
+inline constexpr int joint_jacobians_J_world_colptr[3] = {
+    0, 1, 4};
 inline constexpr int com_jacobian_Jc_nnz = 4;
 inline constexpr int com_jacobian_Jc_row[4] = {
     0, 2, 0, 2};
 inline constexpr int com_jacobian_Jc_col[4] = {
     0, 0, 1, 1};
+inline constexpr int com_jacobian_Jc_colptr[3] = {
+    0, 2, 4};
 inline constexpr int centroidal_A_G_nnz = 6;
 inline constexpr int centroidal_A_G_row[6] = {
     0, 2, 4, 0, 2, 4};
 inline constexpr int centroidal_A_G_col[6] = {
     0, 0, 0, 1, 1, 1};
+inline constexpr int centroidal_A_G_colptr[3] = {
+    0, 3, 6};
 inline constexpr int regressor_Y_nnz = 10;
 inline constexpr int regressor_Y_row[10] = {
     0, 0, 0, 0, 0, 1, 0, 1, 0, 1};
 inline constexpr int regressor_Y_col[10] = {
     1, 3, 6, 10, 11, 11, 13, 13, 16, 16};
+inline constexpr int regressor_Y_colptr[21] = {
+    0, 0, 1, 1, 2, 2, 2, 3, 3, 3, 3, 4, 6, 6, 8, 8, 8, 10, 10, 10, 10};
 inline constexpr int integrate_derivatives_dq_next_dq_nnz = 2;
 inline constexpr int integrate_derivatives_dq_next_dq_row[2] = {
     0, 1};
 inline constexpr int integrate_derivatives_dq_next_dq_col[2] = {
     0, 1};
+inline constexpr int integrate_derivatives_dq_next_dq_colptr[3] = {
+    0, 1, 2};
 inline constexpr int integrate_derivatives_dq_next_dv_nnz = 2;
 inline constexpr int integrate_derivatives_dq_next_dv_row[2] = {
     0, 1};
 inline constexpr int integrate_derivatives_dq_next_dv_col[2] = {
     0, 1};
+inline constexpr int integrate_derivatives_dq_next_dv_colptr[3] = {
+    0, 1, 2};
 inline constexpr int difference_derivatives_dd_dq_nnz = 2;
 inline constexpr int difference_derivatives_dd_dq_row[2] = {
     0, 1};
 inline constexpr int difference_derivatives_dd_dq_col[2] = {
     0, 1};
+inline constexpr int difference_derivatives_dd_dq_colptr[3] = {
+    0, 1, 2};
 inline constexpr int difference_derivatives_dd_dq1_nnz = 2;
 inline constexpr int difference_derivatives_dd_dq1_row[2] = {
     0, 1};
 inline constexpr int difference_derivatives_dd_dq1_col[2] = {
     0, 1};
+inline constexpr int difference_derivatives_dd_dq1_colptr[3] = {
+    0, 1, 2};
 }  // namespace sparsity
+
+namespace detail {
+
+/// Zeros `size` entries of `dense`, then puts each non-zero where it stands, of a symmetric matrix
+/// also into the lower triangle; entry (i, j) is dense[i * row_step + j * col_step].
+template <class T>
+void scatter(const T* entries, int nnz, const int* row, const int* col, bool symmetric, T* dense,
+             int size, int row_step, int col_step) {
+  for (int k = 0; k < size; ++k) dense[k] = T(0);
+  for (int k = 0; k < nnz; ++k) {
+    dense[row[k] * row_step + col[k] * col_step] = entries[k];
+    if (symmetric) dense[col[k] * row_step + row[k] * col_step] = entries[k];
+  }
+}
+
+}  // namespace detail
 
 namespace raw {
 
@@ -305,6 +376,144 @@ extern template void integrate_derivatives<double>(const double* q, const double
 template <class T>
 void difference_derivatives(const T* q, const T* q1, T* dd_dq, T* dd_dq1) noexcept;
 extern template void difference_derivatives<double>(const double* q, const double* q1, double* dd_dq, double* dd_dq1) noexcept;
+
+// scatter_FUNCTION_OUTPUT: what a raw function writes as a dense matrix, by rows unless other
+// steps are given.
+template <class T>
+void scatter_crba_M(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::crba_M_nnz, sparsity::crba_M_row, sparsity::crba_M_col, true, dense, 4,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_minv_Minv(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::minv_Minv_nnz, sparsity::minv_Minv_row, sparsity::minv_Minv_col, true, dense, 4,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_rnea_derivatives_dtau_dq(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::rnea_derivatives_dtau_dq_nnz, sparsity::rnea_derivatives_dtau_dq_row, sparsity::rnea_derivatives_dtau_dq_col, false, dense, 4,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_rnea_derivatives_dtau_dv(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::rnea_derivatives_dtau_dv_nnz, sparsity::rnea_derivatives_dtau_dv_row, sparsity::rnea_derivatives_dtau_dv_col, false, dense, 4,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_rnea_derivatives_M(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::rnea_derivatives_M_nnz, sparsity::rnea_derivatives_M_row, sparsity::rnea_derivatives_M_col, true, dense, 4,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_aba_derivatives_dqdd_dq(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::aba_derivatives_dqdd_dq_nnz, sparsity::aba_derivatives_dqdd_dq_row, sparsity::aba_derivatives_dqdd_dq_col, false, dense, 4,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_aba_derivatives_dqdd_dv(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::aba_derivatives_dqdd_dv_nnz, sparsity::aba_derivatives_dqdd_dv_row, sparsity::aba_derivatives_dqdd_dv_col, false, dense, 4,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_aba_derivatives_Minv(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::aba_derivatives_Minv_nnz, sparsity::aba_derivatives_Minv_row, sparsity::aba_derivatives_Minv_col, true, dense, 4,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_rnea_hessian_H_qq(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::rnea_hessian_H_qq_nnz, sparsity::rnea_hessian_H_qq_row, sparsity::rnea_hessian_H_qq_col, true, dense, 4,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_rnea_hessian_H_qv(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::rnea_hessian_H_qv_nnz, sparsity::rnea_hessian_H_qv_row, sparsity::rnea_hessian_H_qv_col, false, dense, 4,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_rnea_hessian_H_vv(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::rnea_hessian_H_vv_nnz, sparsity::rnea_hessian_H_vv_row, sparsity::rnea_hessian_H_vv_col, true, dense, 4,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_rnea_hessian_H_qa(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::rnea_hessian_H_qa_nnz, sparsity::rnea_hessian_H_qa_row, sparsity::rnea_hessian_H_qa_col, false, dense, 4,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_frame_jacobian_J(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::frame_jacobian_J_nnz, sparsity::frame_jacobian_J_row, sparsity::frame_jacobian_J_col, false, dense, 24,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_frame_jacobian_dot_dJ(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::frame_jacobian_dot_dJ_nnz, sparsity::frame_jacobian_dot_dJ_row, sparsity::frame_jacobian_dot_dJ_col, false, dense, 24,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_frame_velocity_derivatives_dvelocity_dq(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::frame_velocity_derivatives_dvelocity_dq_nnz, sparsity::frame_velocity_derivatives_dvelocity_dq_row, sparsity::frame_velocity_derivatives_dvelocity_dq_col, false, dense, 24,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_frame_velocity_derivatives_dvelocity_dv(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::frame_velocity_derivatives_dvelocity_dv_nnz, sparsity::frame_velocity_derivatives_dvelocity_dv_row, sparsity::frame_velocity_derivatives_dvelocity_dv_col, false, dense, 24,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_frame_acceleration_derivatives_dacceleration_dq(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::frame_acceleration_derivatives_dacceleration_dq_nnz, sparsity::frame_acceleration_derivatives_dacceleration_dq_row, sparsity::frame_acceleration_derivatives_dacceleration_dq_col, false, dense, 24,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_frame_acceleration_derivatives_dacceleration_dv(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::frame_acceleration_derivatives_dacceleration_dv_nnz, sparsity::frame_acceleration_derivatives_dacceleration_dv_row, sparsity::frame_acceleration_derivatives_dacceleration_dv_col, false, dense, 24,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_frame_acceleration_derivatives_dacceleration_da(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::frame_acceleration_derivatives_dacceleration_da_nnz, sparsity::frame_acceleration_derivatives_dacceleration_da_row, sparsity::frame_acceleration_derivatives_dacceleration_da_col, false, dense, 24,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_joint_jacobians_J_world(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::joint_jacobians_J_world_nnz, sparsity::joint_jacobians_J_world_row, sparsity::joint_jacobians_J_world_col, false, dense, 12,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_com_jacobian_Jc(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::com_jacobian_Jc_nnz, sparsity::com_jacobian_Jc_row, sparsity::com_jacobian_Jc_col, false, dense, 6,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_centroidal_A_G(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::centroidal_A_G_nnz, sparsity::centroidal_A_G_row, sparsity::centroidal_A_G_col, false, dense, 12,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_regressor_Y(const T* entries, T* dense, int row_step = 20, int col_step = 1) {
+  detail::scatter(entries, sparsity::regressor_Y_nnz, sparsity::regressor_Y_row, sparsity::regressor_Y_col, false, dense, 40,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_integrate_derivatives_dq_next_dq(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::integrate_derivatives_dq_next_dq_nnz, sparsity::integrate_derivatives_dq_next_dq_row, sparsity::integrate_derivatives_dq_next_dq_col, false, dense, 4,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_integrate_derivatives_dq_next_dv(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::integrate_derivatives_dq_next_dv_nnz, sparsity::integrate_derivatives_dq_next_dv_row, sparsity::integrate_derivatives_dq_next_dv_col, false, dense, 4,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_difference_derivatives_dd_dq(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::difference_derivatives_dd_dq_nnz, sparsity::difference_derivatives_dd_dq_row, sparsity::difference_derivatives_dd_dq_col, false, dense, 4,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_difference_derivatives_dd_dq1(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
+  detail::scatter(entries, sparsity::difference_derivatives_dd_dq1_nnz, sparsity::difference_derivatives_dd_dq1_row, sparsity::difference_derivatives_dd_dq1_col, false, dense, 4,
+                  row_step, col_step);
+}
 
 }  // namespace raw
 }  // namespace double_pendulum

@@ -26,12 +26,9 @@ inline Tangent rnea(const Config& q, const Tangent& v, const Tangent& a) {
 /// Joint-space inertia matrix. [RBDA] Table 6.2.
 inline Matrix crba(const Config& q) {
   double entries[20];
+  Matrix M;
   raw::crba<double>(q.data(), entries);
-  Matrix M = Matrix::Zero(6, 6);
-  for (int k = 0; k < sparsity::crba_M_nnz; ++k) {
-    M(sparsity::crba_M_row[k], sparsity::crba_M_col[k]) = entries[k];
-    M(sparsity::crba_M_col[k], sparsity::crba_M_row[k]) = entries[k];
-  }
+  raw::scatter_crba_M(entries, M.data(), 1, 6);
   return M;
 }
 

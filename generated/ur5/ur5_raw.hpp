@@ -28,7 +28,7 @@ inline constexpr double v_limit[6] = {
 inline constexpr double tau_limit[6] = {
     150.0, 150.0, 150.0, 28.0, 28.0, 28.0};
 
-/// Rows of fk's output.
+/// Frames in the order of fk and of the frame functions: row k of what has one row a frame.
 namespace frame {
 inline constexpr int shoulder = 0;
 inline constexpr int upper_arm = 1;
@@ -39,14 +39,33 @@ inline constexpr int wrist_3_link = 5;
 }  // namespace frame
 
 /// Where the structural non-zeros of matrices stand, in the order in which raw functions write
-/// them: by columns, of symmetric matrices the upper triangle.
+/// them: by columns, of symmetric matrices the upper triangle.  Column j has those from
+/// colptr[j] to before colptr[j + 1], so that row and colptr are compressed column storage.
 namespace sparsity {
 inline constexpr int crba_M_nnz = 20;
 inline constexpr int crba_M_row[20] = {
     0, 0, 1, 0, 1, 2, 0, 1, 2, 3, 0, 1, 2, 3, 4, 0, 1, 2, 3, 5};
 inline constexpr int crba_M_col[20] = {
     0, 1, 1, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 4, 5, 5, 5, 5, 5};
+inline constexpr int crba_M_colptr[7] = {
+    0, 1, 3, 6, 10, 15, 20};
 }  // namespace sparsity
+
+namespace detail {
+
+/// Zeros `size` entries of `dense`, then puts each non-zero where it stands, of a symmetric matrix
+/// also into the lower triangle; entry (i, j) is dense[i * row_step + j * col_step].
+template <class T>
+void scatter(const T* entries, int nnz, const int* row, const int* col, bool symmetric, T* dense,
+             int size, int row_step, int col_step) {
+  for (int k = 0; k < size; ++k) dense[k] = T(0);
+  for (int k = 0; k < nnz; ++k) {
+    dense[row[k] * row_step + col[k] * col_step] = entries[k];
+    if (symmetric) dense[col[k] * row_step + row[k] * col_step] = entries[k];
+  }
+}
+
+}  // namespace detail
 
 namespace raw {
 
@@ -59,6 +78,14 @@ extern template void rnea<double>(const double* q, const double* v, const double
 template <class T>
 void crba(const T* q, T* M) noexcept;
 extern template void crba<double>(const double* q, double* M) noexcept;
+
+// scatter_FUNCTION_OUTPUT: what a raw function writes as a dense matrix, by rows unless other
+// steps are given.
+template <class T>
+void scatter_crba_M(const T* entries, T* dense, int row_step = 6, int col_step = 1) {
+  detail::scatter(entries, sparsity::crba_M_nnz, sparsity::crba_M_row, sparsity::crba_M_col, true, dense, 36,
+                  row_step, col_step);
+}
 
 }  // namespace raw
 }  // namespace ur5

@@ -4,7 +4,10 @@
 // Compares ur5 with results that the reference engine recorded, and with finite differences along
 // recorded motions.  Prints a line a function; exit status 1 if one disagrees.
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
+#include <vector>
 
 #include "ur5_raw.hpp"
 
@@ -88,14 +91,38 @@ const double v[kStates][6] = {
 int failures = 0;
 
 /// Largest difference relative to the largest expected entry.
-double relative_error(const double* got, const double* expected, int n) {
-  double error = 0, scale = 1e-300;
-  for (int i = 0; i < n; ++i) {
+template <std::size_t n>
+double relative_error(const std::vector<double>& got, const double (&expected)[n]) {
+  double error = 0, scale = 1e-9;
+  for (std::size_t i = 0; i < n; ++i) {
     const double difference = std::fabs(got[i] - expected[i]);
     if (!(difference <= error)) error = difference;  // not-a-number stays
     if (std::fabs(expected[i]) > scale) scale = std::fabs(expected[i]);
   }
-  return error / (scale > 1e-9 ? scale : 1e-9);
+  return error / scale;
+}
+
+/// The weight of entry i in sum k, within +-1: a step of splitmix64.
+inline double weight(std::uint64_t k, std::uint64_t i) {
+  std::uint64_t z = (2 * i + k + 1) * 0x9E3779B97F4A7C15u;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+  return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;
+}
+
+/// The same where of the entries y only w y / sqrt(n), for two vectors of weights, and the largest
+/// one are recorded.
+template <class Values>
+double error_of_sums(const Values& got, const double (&expected)[3]) {
+  double error = 0;
+  for (std::uint64_t k = 0; k < 2; ++k) {
+    double sum = 0;
+    for (std::size_t i = 0; i < got.size(); ++i) sum += weight(k, i) * got[i];
+    const double difference =
+        std::fabs(sum / std::sqrt(static_cast<double>(got.size())) - expected[k]);
+    if (!(difference <= error)) error = difference;
+  }
+  return error / (expected[2] > 1e-9 ? expected[2] : 1e-9);
 }
 
 void report(const char* what, double error, double tolerance) {
@@ -109,24 +136,20 @@ void worst(double& error, double candidate) {
 }
 
 int run() {
-  namespace sparsity = ur5::sparsity;
   double rnea_tau_error = 0;
   for (int s = 0; s < kStates; ++s) {
-    double out0[6];
-    ur5::raw::rnea<double>(q[s], v[s], a[s], out0);
-    worst(rnea_tau_error, relative_error(out0, rnea_tau[s], 6));
+    std::vector<double> out0(6);
+    ur5::raw::rnea<double>(q[s], v[s], a[s], out0.data());
+    worst(rnea_tau_error, relative_error(out0, rnea_tau[s]));
   }
   report("rnea", rnea_tau_error, 1e-11);
   double crba_M_error = 0;
   for (int s = 0; s < kStates; ++s) {
-    double out0[20];
-    ur5::raw::crba<double>(q[s], out0);
-    double dense0[36] = {};
-    for (int k = 0; k < 20; ++k) {
-      dense0[sparsity::crba_M_row[k] * 6 + sparsity::crba_M_col[k]] = out0[k];
-      dense0[sparsity::crba_M_col[k] * 6 + sparsity::crba_M_row[k]] = out0[k];
-    }
-    worst(crba_M_error, relative_error(dense0, crba_M[s], 36));
+    std::vector<double> out0(20);
+    ur5::raw::crba<double>(q[s], out0.data());
+    std::vector<double> dense0(36);
+    ur5::raw::scatter_crba_M(out0.data(), dense0.data());
+    worst(crba_M_error, relative_error(dense0, crba_M[s]));
   }
   report("crba", crba_M_error, 1e-11);
   return failures == 0 ? 0 : 1;

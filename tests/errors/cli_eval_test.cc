@@ -34,8 +34,8 @@ TEST_F(CliEval, WrongTablesExitWith2AndSayWhere) {
   };
   expect("", ": error: no states in the file");
   expect("\n \n", ": error: no states in the file");
-  expect("1,2,3\n", ":1: error: 3 numbers, 2 expected (one state a line)");
-  expect("1,2\n\n1\n", ":3: error: 1 numbers, 2 expected (one state a line)");
+  expect("1,2,3\n", ":1: error: 3 numbers, but q has 2 (one state a line)");
+  expect("1,2\n\n1\n", ":3: error: 1 numbers, but q has 2 (one state a line)");
   expect("1,2,\n", ":1: error: '' is not a finite number");
   expect("1;2\n", ":1: error: '1;2' is not a finite number");
   expect("1,two\n", ":1: error: 'two' is not a finite number");
@@ -57,10 +57,13 @@ TEST_F(CliEval, MissingTablesExitWith2) {
 }
 
 TEST_F(CliEval, TablesMustHaveTheSameLength) {
-  const std::string q = file("q.csv", "1,2\n3,4\n"), v = file("v.csv", "1,2\n");
+  const std::string q = file("q.csv", "1,2\n3,4\n"), v = file("v.csv", "1,2\n3,4\n5,6\n");
   const Outcome outcome = eval("nle", {"--q", q, "--v", v});
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_EQ(outcome.err, v + ": error: 1 states, but 2 in the files before it\n");
+  EXPECT_EQ(outcome.err, v + ": error: 3 states, but 2 in the files before it\n");
+  // One line serves all states.
+  const std::string one = file("one.csv", "1,2\n");
+  EXPECT_EQ(numbers(eval("nle", {"--q", q, "--v", one}).out).size(), 2u);
 }
 
 TEST_F(CliEval, ReadsTablesAsPeopleWriteThem) {
