@@ -11,6 +11,7 @@
 #include "cli/build.h"
 #include "cli/common.h"
 #include "cli/csv.h"
+#include "passes/dead.h"
 #include "truth.h"
 
 namespace arboc::cli {
@@ -44,10 +45,15 @@ void refuse_or_note(const std::string& name, const std::string& file, const Sign
       unknown(own ? option_of(name) : "--input", s.name + " has no input", name, known));
 }
 
-/// Which inputs the traced function depends on.
-std::vector<bool> used_inputs(const CompiledFunction& f) {
+/// Which inputs the printed outputs depend on.
+std::vector<bool> used_inputs(const CompiledFunction& f, const std::string& output) {
+  Graph graph = f.graph;
+  for (size_t k = 0; k < f.signature.outputs.size(); ++k)
+    if (!output.empty() && f.signature.outputs[k].name != output)
+      graph.regions.back().results[k].clear();
+  graph = remove_dead(graph);
+  const Region& region = graph.regions.back();
   std::vector<bool> used(f.signature.inputs.size(), false);
-  const Region& region = f.graph.regions.back();
   const auto use = [&](Ref ref) {
     const Node& node = region[ref];
     if (node.op != Op::kInput) return;
@@ -75,7 +81,7 @@ std::vector<double> missing(const Argument& a, bool used, const Compilation& com
 /// The states of the given files; a file of one line serves all states.
 std::vector<Values> read_states(const EvalOptions& options, const Compilation& compilation) {
   const CompiledFunction& f = compilation.functions.front();
-  const std::vector<bool> used = used_inputs(f);
+  const std::vector<bool> used = used_inputs(f, options.output);
   std::map<std::string, std::vector<std::vector<double>>> rows;
   size_t states = 1;
   for (const auto& [name, file] : options.files)

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <sstream>
 
 #include "base/diagnostic.h"
@@ -48,9 +47,6 @@ Request parse_request(const std::string& option, Derivative derivative, const st
   std::istringstream list(text.substr(colon + 1));
   for (std::string item; std::getline(list, item, ',');) {
     if (item.empty()) throw wrong();
-    if (std::find(request.with.begin(), request.with.end(), item) != request.with.end())
-      throw UsageError(fmt::format("{}: '{}': input {} is named twice", option, printable(text),
-                                   printable(item)));
     request.with.push_back(item);
   }
   if (request.with.empty()) throw wrong();

@@ -37,40 +37,38 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
   // lower_rod, force, adjoint
   const T x26 = lambda[0] + lambda[1];
   const T x27 = lambda[0] * w[2];
+  const T x28 = lambda[0] * w[3];
   // lower_rod, motion, adjoint
-  const T x28 = T(0.15) * x26;
-  const T x29 = T(0.15) * x27;
-  H_qa[1] = -x29;
-  const T x30 = lambda[0] * x23 + x17 * x28;
-  const T x31 = w[3] * x28;
-  const T x32 = lambda[0] * x22 - x16 * x28;
-  const T x33 = w[2] * x28;
+  const T x29 = T(0.15) * x26;
+  const T x30 = T(0.15) * x27;
+  H_qa[1] = -x30;
+  const T x31 = lambda[0] * x23 + x17 * x29;
+  const T x32 = w[3] * x29;
+  const T x33 = lambda[0] * x22 - x16 * x29;
+  const T x34 = w[2] * x29;
   // upper_rod, motion, adjoint
-  const T x34 = T(11.772) * lambda[0];
-  // derivative by q0
-  const T x35 = -x14 * x31 - x13 * x33;
-  H_qq[1] = x35;
-  const T x36 = x35 - w[0] * x34;
-  H_qq[0] = x36;
+  const T x35 = T(11.772) * lambda[0];
   // derivative by q1
-  const T x37 = -x29 - x33;
-  H_qa[0] = x37;
-  const T x38 = w[2] * x32 - w[3] * x30;
-  H_qq[2] = x38;
+  const T x37 = T(0.3) * x18;
+  const T x38 = x28 * x37;
+  H_qv[1] = -x38;
+  const T x39 = -x30 - x34;
+  H_qa[0] = x39;
+  const T x40 = x25 * x32 - x38;
+  H_qv[0] = x40;
+  const T x41 = -x13 * x34 - x14 * x32;
+  H_qq[1] = x41;
+  const T x42 = w[2] * x33 - w[3] * x31;
+  H_qq[2] = x42;
   // derivative by v0
-  const T x40 = T(0.3) * x18;
-  const T x41 = lambda[0] * x40;
-  const T x42 = T(0.3) * x27;
-  H_vv[1] = -x42;
-  H_vv[2] = -x42;
-  const T x43 = x41 - x25 * x28;
-  const T x44 = T(2.0) * x33 - x42;
+  const T x43 = T(0.3) * x27;
+  H_vv[1] = -x43;
+  H_vv[2] = -x43;
+  const T x44 = T(2.0) * x34 - x43;
   H_vv[0] = x44;
-  const T x45 = w[3] * x43;
-  H_qv[0] = -x45;
-  // derivative by v1
-  const T x46 = w[3] * x41;
-  H_qv[1] = -x46;
+  // derivative by q0
+  const T x45 = x41 - w[0] * x35;
+  H_qq[0] = x45;
 }
 
 }  // namespace rnea_hessian_parts
@@ -84,7 +82,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
 /// out H_qv: 2 structural non-zeros of 2 x 2 by columns; (N m, N) / (rad, m) / (rad/s, m/s); second derivative of lambda^T tau with respect to d of q (+) d and v
 /// out H_vv: 3 structural non-zeros of 2 x 2 by columns, upper triangle; (N m, N) / (rad/s, m/s) / (rad/s, m/s); second derivative of lambda^T tau with respect to v, twice
 /// out H_qa: 2 structural non-zeros of 2 x 2 by columns; (N m, N) / (rad, m) / (rad/s^2, m/s^2); second derivative of lambda^T tau with respect to d of q (+) d and a
-/// 21 mul, 5 add, 8 fma, 0 div, 0 sqrt, 2 sincos.
+/// 20 mul, 5 add, 8 fma, 0 div, 0 sqrt, 2 sincos.
 template <class T>
 void rnea_hessian(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, const T* ARBOC_RESTRICT lambda, T* ARBOC_RESTRICT H_qq, T* ARBOC_RESTRICT H_qv, T* ARBOC_RESTRICT H_vv, T* ARBOC_RESTRICT H_qa) noexcept {
   T w[4];

@@ -64,7 +64,7 @@ TEST(CliStatus, UsageErrorsExitWith1) {
       {{"compile", kUr5, "-o", "x", "--frames", "flange,flange"},
        "--frames: link 'flange' is given twice"},
       {{"compile", kUr5, "-o", "x", "--jacobian", "rnea.tau:q,q"},
-       "--jacobian: 'rnea.tau:q,q': input q is named twice"},
+       "--jacobian rnea.tau:q,q: input 'q' is given twice"},
       {{"inspect", kUr5, "--max-dof", "0"}, "--max-dof"},
       {{"inspect", kUr5, "--max-dof", "many"}, "--max-dof"},
       {{"inspect", kUr5, "another.urdf"}, "another.urdf"},

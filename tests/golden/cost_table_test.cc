@@ -13,6 +13,11 @@
 namespace arboc::test {
 namespace {
 
+bool is_function(const std::string& name) {
+  const std::vector<std::string> names = function_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 const std::string kPage = ARBOC_SOURCE_DIR "/docs/functions.md";
 
 using Totals = std::map<std::string, std::string>;  ///< by model and function
