@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "reference/differentiate.h"
 #include "reference/frames.h"
@@ -33,45 +34,40 @@ Arguments<S> moved(const ReferenceOf<S>& reference, Arguments<S> in, const std::
 template <class S>
 class Plain {
  public:
-  Plain(const Setup& setup, const Model& model, const Arguments<S>& in)
-      : setup_(setup),
-        model_(model),
-        free_(model),
-        reference_(model, setup.joint_forces),
-        in_(in) {}
+  Plain(const Setup& setup, const Model& model)
+      : setup_(setup), free_(model), reference_(model, setup.joint_forces) {}
 
-  Arguments<S> operator()(const std::string& function) const {
-    const auto& q = in_.at("q");
-    if (function == "fk") return {{"placements", placements()}};
-    if (function == "rnea") return {{"tau", reference_.rnea(q, v(), a(), loads())}};
+  Arguments<S> operator()(const std::string& function, const Arguments<S>& in) const {
+    const auto& q = in.at("q");
+    if (function == "fk") return {{"placements", placements(in)}};
+    if (function == "rnea") return {{"tau", reference_.rnea(q, in.at("v"), in.at("a"), loads(in))}};
     if (function == "gravity") return {{"g", free_.gravity(q)}};
-    if (function == "nle") return {{"nle", reference_.nle(q, v(), loads())}};
+    if (function == "nle") return {{"nle", reference_.nle(q, in.at("v"), loads(in))}};
     if (function == "crba") return {{"M", by_rows<S>(reference_.crba(q))}};
     if (function == "minv") return {{"Minv", by_rows<S>(reference_.minv(q))}};
-    if (function == "aba") return {{"qdd", reference_.aba(q, v(), in_.at("tau"), loads())}};
-    if (function == "com") return {{"c", com(free_, q)}, {"vc", com_velocity(free_, q, v())}};
+    if (function == "aba") return {{"qdd", reference_.aba(q, in.at("v"), in.at("tau"), loads(in))}};
+    if (function == "com")
+      return {{"c", com(free_, q)}, {"vc", com_velocity(free_, q, in.at("v"))}};
     if (function == "com_jacobian") return {{"Jc", by_rows<S>(com_jacobian(free_, q))}};
     if (function == "joint_jacobians") return {{"J_world", by_rows<S>(joint_jacobians(free_, q))}};
     if (function == "energy")
-      return {{"T", VectorOf<S>::Constant(1, free_.kinetic(q, v()))},
+      return {{"T", VectorOf<S>::Constant(1, free_.kinetic(q, in.at("v")))},
               {"V", VectorOf<S>::Constant(1, free_.potential(q))}};
     if (function == "centroidal") {
-      const CentroidalOf<S> all = centroidal(free_, q, v(), a());
+      const CentroidalOf<S> all = centroidal(free_, q, in.at("v"), in.at("a"));
       return {{"h", all.h}, {"A_G", by_rows<S>(all.A_G)}, {"dh", all.dh}};
     }
-    if (function == "regressor") return {{"Y", by_rows<S>(regressor(free_, q, v(), a()))}};
-    if (function == "integrate") return {{"q_next", free_.integrate(q, v())}};
-    if (function == "difference") return {{"d", free_.difference(q, in_.at("q1"))}};
-    return frames(function);
+    if (function == "regressor")
+      return {{"Y", by_rows<S>(regressor(free_, q, in.at("v"), in.at("a")))}};
+    if (function == "integrate") return {{"q_next", free_.integrate(q, in.at("v"))}};
+    if (function == "difference") return {{"d", free_.difference(q, in.at("q1"))}};
+    return frames(function, in);
   }
 
  private:
-  const VectorOf<S>& v() const { return in_.at("v"); }
-  const VectorOf<S>& a() const { return in_.at("a"); }
-
-  VectorOf<S> placements() const {
+  VectorOf<S> placements(const Arguments<S>& in) const {
     VectorOf<S> out(static_cast<Eigen::Index>(12 * setup_.frames.size()));
-    const auto links = free_.fk(in_.at("q"));
+    const auto links = free_.fk(in.at("q"));
     Eigen::Index k = 0;
     for (const int frame : setup_.frames) {
       const auto& T = links[static_cast<size_t>(frame)];
@@ -82,8 +78,8 @@ class Plain {
     return out;
   }
 
-  Arguments<S> frames(const std::string& function) const {
-    const auto& q = in_.at("q");
+  Arguments<S> frames(const std::string& function, const Arguments<S>& in) const {
+    const auto& q = in.at("q");
     const auto n = static_cast<Eigen::Index>(setup_.frames.size());
     const bool matrix = function.starts_with("frame_jacobian");
     VectorOf<S> out(n * 6 * (matrix ? setup_.nv : 1));
@@ -91,12 +87,12 @@ class Plain {
       const int link = setup_.frames[static_cast<size_t>(k)];
       const Axes axes = setup_.axes;
       VectorOf<S> part;
-      if (function == "frame_velocity") part = frame_velocity(free_, q, v(), link, axes);
+      if (function == "frame_velocity") part = frame_velocity(free_, q, in.at("v"), link, axes);
       if (function == "frame_acceleration")
-        part = frame_acceleration(free_, q, v(), a(), link, axes);
+        part = frame_acceleration(free_, q, in.at("v"), in.at("a"), link, axes);
       if (function == "frame_jacobian") part = by_rows<S>(frame_jacobian(free_, q, link, axes));
       if (function == "frame_jacobian_dot")
-        part = by_rows<S>(frame_jacobian_dot(free_, q, v(), link, axes));
+        part = by_rows<S>(frame_jacobian_dot(free_, q, in.at("v"), link, axes));
       if (part.size() == 0) throw std::logic_error("no reference for " + function);
       out.segment(k * part.size(), part.size()) = part;
     }
@@ -107,11 +103,11 @@ class Plain {
     return {{name, out}};
   }
 
-  Loads loads() const {
+  Loads loads(const Arguments<S>& in) const {
     Loads loads;
     for (size_t k = 0; k < setup_.loads.size(); ++k) {
       const auto at = static_cast<Eigen::Index>(6 * k);
-      loads.push_back({setup_.loads[k], setup_.axes, real(in_.at("f_ext").segment(at, 6))});
+      loads.push_back({setup_.loads[k], setup_.axes, real(in.at("f_ext").segment(at, 6))});
     }
     return loads;
   }
@@ -121,10 +117,8 @@ class Plain {
   }
 
   const Setup& setup_;
-  const Model& model_;
   ReferenceOf<S> free_;       ///< without the joints' own forces
   ReferenceOf<S> reference_;  ///< with those of the setup
-  const Arguments<S>& in_;
 };
 
 /// The model with the parameters of a state.
@@ -140,8 +134,7 @@ Model model_of(const Setup& setup, const Arguments<S>& in) {
 
 template <class S>
 Arguments<S> plain(const std::string& function, const Setup& setup, const Arguments<S>& in) {
-  const Model model = model_of(setup, in);
-  return Plain<S>(setup, model, in)(function);
+  return Plain<S>(setup, model_of(setup, in))(function, in);
 }
 
 /// Derivatives of one output.
@@ -154,12 +147,13 @@ class Derivatives {
         output_(std::move(output)),
         at_(setup.model) {
     for (const auto& [name, x] : in) in_[name] = x.cast<Complex>();
+    if (setup.parameters.empty()) engine_.emplace(setup, setup.model);
   }
 
   int size(const std::string& input) const {
     return input == "q" || input == "q1" ? setup_.nv : static_cast<int>(in_.at(input).size());
   }
-  Eigen::VectorXd value() const { return plain(function_, setup_, in_).at(output_).real(); }
+  Eigen::VectorXd value() const { return evaluate(in_).at(output_).real(); }
 
   /// Entries of the output x size(input).
   Eigen::MatrixXd jacobian(const std::string& input) const { return jacobian(in_, input); }
@@ -174,7 +168,7 @@ class Derivatives {
     for (int k = 0; k < m; ++k) {
       const auto slopes = [&](int times) -> Eigen::VectorXd {
         const VectorOf<Complex> outer = VectorOf<Complex>::Unit(m, k) * Complex(times * h);
-        if (symmetric && x == y) return along_with(x, outer, weight);
+        if (symmetric && x == y) return along_with(x, outer, k + 1, weight);
         const Arguments<Complex> there = moved(at_, in_, y, outer);
         return jacobian(there, x).transpose() * weight(there);
       };
@@ -182,14 +176,18 @@ class Derivatives {
                   (slopes(3) - slopes(-3))) /
                  (60 * h);
     }
+    if (symmetric && x == y) H.triangularView<Eigen::StrictlyLower>() = H.transpose();
     return H;
   }
   const Arguments<Complex>& inputs() const { return in_; }
   Eigen::VectorXd value(const Arguments<Complex>& in) const {
-    return plain(function_, setup_, in).at(output_).real();
+    return evaluate(in).at(output_).real();
   }
 
  private:
+  Arguments<Complex> evaluate(const Arguments<Complex>& in) const {
+    return engine_ ? (*engine_)(function_, in) : plain(function_, setup_, in);
+  }
   bool analytic(const std::string& input) const {
     if (input == "f_ext") return false;
     for (const Parameter& p : setup_.parameters)
@@ -217,8 +215,7 @@ class Derivatives {
                              const VectorOf<Complex>& direction) const {
     if (analytic(input)) {
       const VectorOf<Complex> inner = direction * Complex(0, complex_step::kStep);
-      return plain(function_, setup_, moved(at_, in, input, inner)).at(output_).imag() /
-             complex_step::kStep;
+      return evaluate(moved(at_, in, input, inner)).at(output_).imag() / complex_step::kStep;
     }
     const double h = 1e-3;
     const auto f = [&](int times) -> Eigen::VectorXd {
@@ -227,23 +224,22 @@ class Derivatives {
     return (45 * (f(1) - f(-1)) - 9 * (f(2) - f(-2)) + (f(3) - f(-3))) / (60 * h);
   }
 
-  /// Gradient with respect to d of weight^T f(x (+) d) at d = outer.
+  /// The first n entries of the gradient with respect to d of weight^T f(x (+) d) at d = outer.
   Eigen::VectorXd along_with(
-      const std::string& x, const VectorOf<Complex>& outer,
+      const std::string& x, const VectorOf<Complex>& outer, int n,
       const std::function<Eigen::VectorXd(const Arguments<Complex>&)>& weight) const {
-    const Eigen::Index n = outer.size();
+    const Eigen::Index all = outer.size();
     const Eigen::VectorXd w = weight(moved(at_, in_, x, outer));
-    Eigen::VectorXd result(n);
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(all);
     for (Eigen::Index j = 0; j < n; ++j) {
-      const VectorOf<Complex> unit = VectorOf<Complex>::Unit(n, j);
+      const VectorOf<Complex> unit = VectorOf<Complex>::Unit(all, j);
       if (!analytic(x)) {
         result[j] = w.dot(derivative(moved(at_, in_, x, outer), x, unit));
         continue;
       }
       const VectorOf<Complex> both = outer + unit * Complex(0, complex_step::kStep);
-      result[j] = w.dot(
-          Eigen::VectorXd(plain(function_, setup_, moved(at_, in_, x, both)).at(output_).imag() /
-                          complex_step::kStep));
+      result[j] = w.dot(Eigen::VectorXd(evaluate(moved(at_, in_, x, both)).at(output_).imag() /
+                                        complex_step::kStep));
     }
     return result;
   }
@@ -251,7 +247,8 @@ class Derivatives {
   const Setup& setup_;
   std::string function_, output_;
   Arguments<Complex> in_;
-  ComplexReference at_;  ///< for its manifold
+  ComplexReference at_;                   ///< for its manifold
+  std::optional<Plain<Complex>> engine_;  ///< where no parameter changes it
 };
 
 std::vector<double> list(const Eigen::VectorXd& x) { return {x.begin(), x.end()}; }
