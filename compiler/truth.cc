@@ -194,10 +194,10 @@ class Derivatives {
       if (input == p.name) return false;
     return true;
   }
+  /// Results are linear in wrenches and gravity: a long step leaves the least noise.
   double step(const std::string& input) const {
-    return input == "masses" || input == "inertias" || input == "lengths" || input == "centres"
-               ? 1e-3
-               : complex_step::difference_step(at_);
+    if (input == "f_ext" || input == "gravity") return 1;
+    return analytic(input) ? complex_step::difference_step(at_) : 1e-3;
   }
 
   Eigen::MatrixXd jacobian(const Arguments<Complex>& in, const std::string& input) const {
@@ -217,7 +217,7 @@ class Derivatives {
       const VectorOf<Complex> inner = direction * Complex(0, complex_step::kStep);
       return evaluate(moved(at_, in, input, inner)).at(output_).imag() / complex_step::kStep;
     }
-    const double h = 1e-3;
+    const double h = step(input);
     const auto f = [&](int times) -> Eigen::VectorXd {
       return value(moved<Complex>(at_, in, input, direction * Complex(times * h)));
     };

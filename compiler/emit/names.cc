@@ -11,7 +11,8 @@ bool digit(char c) { return c >= '0' && c <= '9'; }
 /// Keywords of C11 and C++20, common macros, names that generated code or its build uses, and
 /// functions that the headers of the C library declare.
 constexpr std::string_view kReserved = R"(
- Eigen NULL abort abs accept access acos alarm alignas alignof all and and_eq arboc asctime asin
+ BUFSIZ CHAR_BIT DOMAIN EOF Eigen HUGE_VAL INFINITY INT_MAX INT_MIN M_E M_PI NAN NULL OVERFLOW
+ RAND_MAX SING UNDERFLOW abort abs accept access acos alarm alignas alignof all and and_eq arboc asctime asin
  asm assert atan atomic_cancel auto basename bind bitand bitor bool break brk calloc
  canonicalize case catch ceil char char16_t char32_t char8_t class clean clock clone close
  co_await co_return co_yield compl concept confstr connect const const_cast consteval constexpr

@@ -72,7 +72,7 @@ std::vector<double> sums(const std::vector<double>& values) {
 
 /// All outputs of all states are too many numbers: sums of them are recorded.
 bool summed(const TargetModel& model, const TargetFunction& f) {
-  constexpr size_t kMost = 4000;
+  constexpr size_t kMost = 2000;
   size_t entries = 0;
   for (const Argument& a : f.signature.outputs)
     entries += static_cast<size_t>(a.rows) * static_cast<size_t>(a.cols);

@@ -392,7 +392,7 @@ double relative_error(const std::vector<double>& got, const double (&expected)[n
 }
 
 /// The weight of entry i in sum k, within +-1: a step of splitmix64.
-inline double weight(std::uint64_t k, std::uint64_t i) {
+[[maybe_unused]] inline double weight(std::uint64_t k, std::uint64_t i) {
   std::uint64_t z = (2 * i + k + 1) * 0x9E3779B97F4A7C15u;
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
   z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;

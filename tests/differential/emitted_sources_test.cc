@@ -15,6 +15,28 @@ using Command = std::vector<std::string>;
 const Command kStrict = {"-std=c++17",   "-Wall",   "-Wextra",       "-Wpedantic", "-Wshadow",
                          "-Wconversion", "-Werror", "-fsyntax-only", "-isystem",   ARBOC_EIGEN};
 
+/// Every function, with inputs of every kind.
+const Command kEverything = {"--functions",
+                             "all",
+                             "--base",
+                             "floating",
+                             "--external-forces",
+                             "tip,buoy",
+                             "--parameters",
+                             "gravity,masses",
+                             "--joint-forces",
+                             "friction,rotor",
+                             "--jacobian",
+                             "energy.T",
+                             "--gradient",
+                             "rnea.tau^2:v",
+                             "--vjp",
+                             "fk.placements",
+                             "--hessian",
+                             "energy.V:q,masses",
+                             "--name",
+                             "everything"};
+
 bool installed(const std::string& compiler) {
   return run_program({compiler, "--version"}).status == 0;
 }
@@ -64,6 +86,9 @@ TEST_P(EmittedSources, OfAllModelsCompileWithoutWarnings) {
   for (const char* model : {"all_joints", "humanoid"})
     ASSERT_NO_FATAL_FAILURE(
         emit(folder, model, {"--base", "floating", "--name", std::string(model) + "_floating"}));
+  ASSERT_NO_FATAL_FAILURE(
+      emit(folder, "double_pendulum", {"--functions", "all", "--name", "everything_small"}));
+  ASSERT_NO_FATAL_FAILURE(emit(folder, "all_joints", kEverything));
   std::string all;
   for (const auto& model : fs::directory_iterator(folder.path())) {
     for (const auto& file : fs::directory_iterator(model.path())) {
@@ -108,10 +133,12 @@ TEST(EmittedNames, MayBeAny) {
   const TempDir folder;
   std::string all;
   for (const char* name :
-       {"system", "index",  "j1",     "y0",    "gamma",    "random",   "clock", "round",  "link",
-        "class",  "main",   "q",      "v",     "a",        "tau",      "w",     "x0",     "M",
-        "T",      "rnea",   "report", "worst", "failures", "sparsity", "frame", "Config", "Eigen",
-        "arboc",  "detail", "v1",     "std",   "robot",    "12",       "é"})
+       {"system", "index",     "j1",       "y0",     "gamma",  "random", "clock",
+        "round",  "link",      "class",    "main",   "q",      "v",      "a",
+        "tau",    "w",         "x0",       "M",      "T",      "rnea",   "report",
+        "worst",  "failures",  "sparsity", "frame",  "Config", "Eigen",  "arboc",
+        "detail", "v1",        "std",      "robot",  "12",     "é",      "raw",
+        "load",   "parameter", "count",    "weight", "table",  "EOF"})
     ASSERT_NO_FATAL_FAILURE(
         emit(folder, "double_pendulum", {"--functions", "rnea,crba,gravity", "--name", name}));
   for (const auto& model : fs::directory_iterator(folder.path())) {
@@ -146,6 +173,55 @@ TEST(EmittedScalars, AreAny) {
       "ur5/ur5_crba_double.cpp ur5/ur5_fk_double.cpp ur5/ur5_rnea_double.cpp "
       "double_pendulum/double_pendulum_rnea_double.cpp -o scalars && ./scalars",
       folder);
+}
+
+/// `text` with `from` replaced by `to` everywhere.
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+TEST_P(EmittedSources, OfAllFunctionsCompileForOtherScalars) {
+  const TempDir folder;
+  ASSERT_NO_FATAL_FAILURE(emit(folder, "all_joints", kEverything));
+  std::string all;
+  for (const auto& file : fs::directory_iterator(folder / "everything")) {
+    if (!file.path().filename().string().ends_with("_double.cpp")) continue;
+    for (const std::string scalar : {"float", "long double"})
+      all += replaced(replaced(read_text(file.path()), "<double>", "<" + scalar + ">"), "double*",
+                      scalar + "*");
+  }
+  write_text(folder / "everything/scalars.cpp", all);
+  expect_clean(GetParam(), folder, folder / "everything/scalars.cpp");
+}
+
+/// Links whose names say something else in C++, or the same once they are identifiers.
+TEST(EmittedNames, OfLinksMayBeAny) {
+  const TempDir folder;
+  std::string robot = "<robot name='odd'><link name='base'/>", list;
+  const std::vector<std::string> names = {"count", "names", "nominal", "EOF", "NAN",   "int",
+                                          "fk",    "a b",   "a-b",     "a.b", "12",    "frame",
+                                          "T",     "q",     "gravity", "raw", "linux", "sparsity"};
+  for (const std::string& name : names) {
+    robot += "<link name='" + name +
+             "'><inertial><mass value='1'/><inertia ixx='1' ixy='0' "
+             "ixz='0' iyy='1' iyz='0' izz='1'/></inertial></link><joint name='" +
+             name + "' type='continuous'><parent link='base'/><child link='" + name +
+             "'/><axis xyz='1 0 0'/></joint>";
+    list += (list.empty() ? "" : ",") + name;
+  }
+  write_text(folder / "odd.urdf", robot + "</robot>");
+  const Outcome outcome = run_arboc({"compile", folder / "odd.urdf", "-o", folder.path(),
+                                     "--functions", "fk,rnea,gravity", "--external-forces", list,
+                                     "--parameters", "gravity,masses,lengths"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  write_text(folder / "odd.cpp",
+             "#include <cmath>\n#include <cstdio>\n#include <odd/odd.hpp>\n"
+             "static_assert(odd::parameter::masses::count == 18, \"\");\n"
+             "static_assert(odd::frame::a_b == 7 && odd::frame::a_b_3 == 9, \"\");\n"
+             "static_assert(odd::load::count == 0 && odd::load::fk == 6, \"\");\n");
+  expect_clean("c++", folder, folder / "odd.cpp");
 }
 
 TEST(EmittedCode, HasNoUndefinedBehaviour) {
