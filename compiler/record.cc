@@ -46,8 +46,12 @@ std::vector<double> rounded(std::vector<double> values, double tolerance, double
 
 void record(const Setup& setup, const std::vector<CompiledFunction>& functions,
             TargetModel& target) {
-  // The dense matrices of more states would make the file of a humanoid larger than its code.
-  const int states = target.nv > 20 ? 2 : 4;
+  // The dense matrices of more states would make the file of a humanoid larger than its code, and
+  // differences of second order take a second a state.
+  const bool twice = std::any_of(functions.begin(), functions.end(), [](const CompiledFunction& f) {
+    return defined_as(f.request).derivative == Derivative::kHessian;
+  });
+  const int states = target.nv <= 20 ? 4 : twice ? 1 : 2;
   const Reference reference(setup.model);
   StateSource source(1), weights(2);
   for (int s = 0; s < states; ++s) {
