@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -92,9 +93,12 @@ void Jobs::start(const std::vector<std::string>& command, const std::string& log
 }
 
 void Jobs::finish() {
-  siginfo_t ended;
-  while (waitid(P_PID, static_cast<id_t>(jobs_.front().pid), &ended, WEXITED | WNOWAIT) < 0)
+  // Looks again and again: a signal just before a wait without end would go unnoticed.
+  for (siginfo_t ended{};; std::this_thread::sleep_for(std::chrono::milliseconds(3))) {
     check_interrupt();
+    const auto pid = static_cast<id_t>(jobs_.front().pid);
+    if (waitid(P_PID, pid, &ended, WEXITED | WNOWAIT | WNOHANG) == 0 && ended.si_pid != 0) break;
+  }
   check_interrupt();
   const std::string log = jobs_.front().log;
   const int status = wait_for_oldest();
