@@ -179,7 +179,7 @@ S ReferenceOf<S>::potential(const Vector& q) const {
   for (int i = 1; i <= nb(); ++i) {
     const Body& body = bodies_[i];
     const spatial6::Vec3<S> c = T[i - 1].p + T[i - 1].R * body.c;
-    V -= body.m * gravity_.cast<S>().cwiseProduct(c).sum();
+    if (body.moves) V -= body.m * gravity_.cast<S>().cwiseProduct(c).sum();
     if (!forces_.stiffness || arboc::nq(body.joint) != 1) continue;
     const S stretch = body.positions(q)[0] - body.joint.neutral;
     V += body.joint.stiffness * stretch * stretch / 2.;

@@ -52,8 +52,8 @@ class ReferenceOf {
   /// crba if the model has mimic followers, which close loops that it cannot see.
   Vector aba(const Vector& q, const Vector& v, const Vector& tau, const Loads& loads = {}) const;
 
-  /// Energies in J, rotors' and springs' included if they act; the potential is 0 where all centres
-  /// of mass are at the world's origin and all springs at rest.
+  /// Energies in J of what moves, rotors' and springs' included if they act; the potential is 0
+  /// where its centre of mass is at the world's origin and all springs are at rest.
   S kinetic(const Vector& q, const Vector& v) const;
   S potential(const Vector& q) const;
 
