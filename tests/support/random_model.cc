@@ -73,13 +73,18 @@ std::vector<JointAxis> random_axes(Random& random, bool universal) {
   return axes;
 }
 
+/// What only some types have.
+void complete(Joint& joint, Random& random) {
+  if (joint.type == JointType::kHelical) joint.pitch = random.uniform(-0.3, 0.3);
+  if (joint.type == JointType::kUniversal || joint.type == JointType::kMultiAxis)
+    joint.axes = random_axes(random, joint.type == JointType::kUniversal);
+}
+
 void make_exotic(Joint& joint, Random& random) {
   constexpr JointType kTypes[] = {JointType::kUnbounded, JointType::kHelical, JointType::kSpherical,
                                   JointType::kUniversal, JointType::kMultiAxis};
   joint.type = kTypes[random.integer(5)];
-  if (joint.type == JointType::kHelical) joint.pitch = random.uniform(-0.3, 0.3);
-  if (joint.type == JointType::kUniversal || joint.type == JointType::kMultiAxis)
-    joint.axes = random_axes(random, joint.type == JointType::kUniversal);
+  complete(joint, random);
 }
 
 Model random_tree(Random& random, const RandomModelOptions& options) {
@@ -88,15 +93,19 @@ Model random_tree(Random& random, const RandomModelOptions& options) {
   model.root = 0;
   model.gravity = vector3(random.vector(3, 10));
   model.links.push_back({"link0", random_inertial(random), {}});
-  for (int k = 0; k < options.joints; ++k) {
+  const int joints =
+      options.types.empty() ? options.joints : static_cast<int>(options.types.size());
+  for (int k = 0; k < joints; ++k) {
     const std::string number = std::to_string(k + 1);
     Joint joint;
     joint.name = "joint" + number;
-    joint.type = random_type(random, options);
+    joint.type = options.types.empty() ? random_type(random, options)
+                                       : options.types[static_cast<size_t>(k)];
     // Long limbs with some branches.
     joint.parent = random.chance(0.7) ? k : random.integer(k + 1);
     joint.child = k + 1;
     joint.origin = random_pose(random);
+    if (!options.types.empty()) complete(joint, random);
     if (options.exotic && random.chance(0.5)) make_exotic(joint, random);
     if (has_axis(joint.type)) joint.axis = random_axis(random);
     model.joints.push_back(joint);

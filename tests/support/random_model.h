@@ -6,6 +6,7 @@
 // any other.  The joint-space inertia is positive definite unless massless leaves are asked for.
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "model/model.h"
 
@@ -18,9 +19,10 @@ struct RandomModelOptions {
   bool planar = true;
   bool prismatic = true;
   bool mimic = true;
-  bool massless = true;          ///< inner links without inertia
-  bool massless_leaves = false;  ///< moving leaves too: the inertia is then singular
-  bool exotic = false;           ///< unbounded, helical, spherical, universal, multi-axis joints
+  bool massless = true;            ///< inner links without inertia
+  bool massless_leaves = false;    ///< moving leaves too: the inertia is then singular
+  bool exotic = false;             ///< unbounded, helical, spherical, universal, multi-axis joints
+  std::vector<JointType> types{};  ///< of the joints, in place of random ones
 };
 
 /// A configured model, the same for the same seed and options.
