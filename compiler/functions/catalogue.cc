@@ -9,6 +9,7 @@
 #include "base/diagnostic.h"
 #include "base/words.h"
 #include "functions/arguments.h"
+#include "functions/derived_signature.h"
 
 namespace arboc {
 namespace {
@@ -102,10 +103,14 @@ const Entry& find(const Request& request) {
   return find(request.function);
 }
 
-/// First or second derivatives, by definition or by an algorithm of their own.
-bool is_derivative(const Entry& entry) {
-  const std::string_view name = entry.name;
-  return name.ends_with("_derivatives") || name.ends_with("_hessian");
+/// Refuses derivatives of what is a derivative by definition, and third ones.
+void check_order(const Request& request) {
+  if (request.derivative == Derivative::kNone) return;
+  const bool first = request.function.ends_with("_derivatives");
+  if (!find(request).definition && !(first && request.derivative == Derivative::kHessian)) return;
+  throw UsageError(fmt::format("{}: {} is a derivative itself; ask for one of {}", text(request),
+                               request.function,
+                               request.function.substr(0, request.function.rfind('_'))));
 }
 
 /// The catalogue's own functions; f_ext and parameters are inputs where there are any.
@@ -122,131 +127,6 @@ Signature plain_signature(const Entry& entry, const Setup& setup) {
     s.outputs.push_back(output_argument(entry.name, output, setup));
   if (entry.positive) s.positive = entry.positive;
   return s;
-}
-
-const Argument& named(const std::vector<Argument>& arguments, const std::string& name,
-                      const Request& request, const char* what) {
-  for (const Argument& a : arguments)
-    if (a.name == name) return a;
-  std::vector<std::string_view> names;
-  for (const Argument& a : arguments) names.emplace_back(a.name);
-  throw UsageError(
-      unknown(text(request), fmt::format("{} has no {}", request.function, what), name, names));
-}
-
-/// Each input by which a derivative is taken is there, once.
-void check_inputs(const Request& request, const Signature& s) {
-  for (const std::string& input : request.with) {
-    named(s.inputs, input, request, "input");
-    if (std::count(request.with.begin(), request.with.end(), input) > 1)
-      throw UsageError(
-          fmt::format("{}: input '{}' is given twice", text(request), printable(input)));
-  }
-}
-
-/// What a derivative is taken of.
-std::string value_of(const Request& request, const Argument& of) {
-  if (request.squares) return fmt::format("{0}^T {0}", of.name);
-  const bool weighted = request.derivative == Derivative::kHessian && of.rows * of.cols > 1;
-  return weighted || request.derivative == Derivative::kVjp ? "lambda^T " + of.name : of.name;
-}
-
-/// Configurations move in their tangent space.
-std::string by(const std::string& input) {
-  return input == "q" || input == "q1" ? fmt::format("d of {} (+) d", input) : input;
-}
-
-/// (N m, N) / (rad, m): of a value, or its square, by an input.
-std::string quotient(const std::string& unit, const std::vector<std::string>& by) {
-  const auto factor = [](const std::string& u) {
-    return u.find_first_of(" ,/") == std::string::npos ? u : "(" + u + ")";
-  };
-  std::string out = factor(unit);
-  for (const std::string& u : by) out += " / " + factor(u);
-  return out;
-}
-std::string unit_of(const Request& request, const Argument& of) {
-  return request.squares ? "(" + of.unit + ")^2" : of.unit;
-}
-
-Argument first_derivative(const Request& request, const Argument& of, const Argument& input,
-                          int size) {
-  std::string meaning =
-      fmt::format("derivative of {} with respect to {}", value_of(request, of), by(input.name));
-  const std::string unit = quotient(unit_of(request, of), {input.unit});
-  if (request.derivative == Derivative::kGradient)
-    return {"grad_" + input.name, size, 1, unit, meaning};
-  if (request.derivative == Derivative::kVjp) return {"vjp_" + input.name, size, 1, unit, meaning};
-  if (of.cols > 1) meaning += fmt::format("; a row an entry of {}, by rows", of.name);
-  Argument J{fmt::format("d{}_d{}", of.name, input.name), of.rows * of.cols, size, unit, meaning};
-  J.sparse = true;
-  J.tolerance = 1e-11;
-  return J;
-}
-
-/// The reference engine takes differences along numbers of the model and wrenches, of second
-/// derivatives differences of differences.
-bool differenced(const std::string& input) {
-  return input != "q" && input != "v" && input != "a" && input != "tau" && input != "q1";
-}
-
-Argument second_derivative(const Request& request, const Argument& of, const Argument& x,
-                           const Argument& y) {
-  Argument H;
-  H.name = fmt::format("H_{}{}", x.name, y.name);
-  H.unit = quotient(unit_of(request, of), {x.unit, y.unit});
-  H.meaning =
-      fmt::format("second derivative of {} with respect to {}", value_of(request, of),
-                  x.name == y.name ? by(x.name) + ", twice" : by(x.name) + " and " + by(y.name));
-  H.sparse = true;
-  H.tolerance = differenced(x.name) && differenced(y.name) ? kDifferencedTwice : 1e-9;
-  return H;
-}
-
-void add_derivatives(const Request& request, const Setup& setup, const Argument& of, Signature& s) {
-  const std::vector<Argument> inputs = s.inputs;
-  const std::vector<std::string> with = derived_inputs(request, s);
-  const int entries = of.rows * of.cols;
-  const bool scalar = request.squares || entries == 1;
-  const auto input = [&](const std::string& name) { return named(inputs, name, request, "input"); };
-  const auto size = [&](const std::string& name) { return tangent_size(input(name), setup); };
-  if (request.derivative == Derivative::kVjp ||
-      (request.derivative == Derivative::kHessian && !scalar))
-    s.inputs.push_back(
-        {"lambda", entries, 1, "1",
-         fmt::format("weights of the entries of {}{}", of.name, of.cols > 1 ? ", by rows" : "")});
-  if (request.derivative == Derivative::kGradient && !scalar)
-    throw UsageError(
-        fmt::format("{}: {} has {} entries: ask for its --vjp, or for {}^2, the sum of its squares",
-                    text(request), of.name, entries, of.name));
-  for (size_t i = 0; i < with.size(); ++i) {
-    if (request.derivative != Derivative::kHessian) {
-      s.outputs.push_back(first_derivative(request, of, input(with[i]), size(with[i])));
-      continue;
-    }
-    for (size_t j = i; j < with.size(); ++j) {
-      Argument H = second_derivative(request, of, input(with[i]), input(with[j]));
-      H.rows = size(with[i]);
-      H.cols = size(with[j]);
-      H.symmetric = i == j && !setup.iterated;
-      s.outputs.push_back(H);
-    }
-  }
-}
-
-/// One sentence.
-std::string meaning_of(const Request& request, const Signature& base, const Argument& of,
-                       bool iterated) {
-  const char* kind = request.derivative == Derivative::kJacobian  ? "Jacobian"
-                     : request.derivative == Derivative::kHessian ? "Second derivatives"
-                                                                  : "Gradient";
-  const std::string value = value_of(request, of);
-  return fmt::format("{} of {}{} of {}{} with respect to {}{}.", kind, value,
-                     value == of.name ? "" : ", " + of.name, request.function,
-                     value == of.name ? "" : ",", fmt::join(derived_inputs(request, base), ", "),
-                     iterated && request.derivative == Derivative::kHessian
-                         ? "; derivatives of derivatives along the body's axes"
-                         : "");
 }
 
 }  // namespace
@@ -273,19 +153,8 @@ Request defined_as(const Request& request) {
   return parse_request(entry.name, kind, entry.definition);
 }
 
-std::vector<std::string> derived_inputs(const Request& request, const Signature& s) {
-  if (!request.with.empty()) return request.with;
-  std::vector<std::string> names;
-  for (const Argument& a : s.inputs)
-    if (a.name != "lambda") names.push_back(a.name);
-  return names;
-}
-
 Signature signature(const Request& request, const Setup& setup) {
-  if (request.derivative != Derivative::kNone && is_derivative(find(request)))
-    throw UsageError(fmt::format("{}: {} is a derivative itself; ask for one of {}", text(request),
-                                 request.function,
-                                 request.function.substr(0, request.function.rfind('_'))));
+  check_order(request);
   const Request definition = defined_as(request);
   Signature s = plain_signature(find(definition.function), setup);
   if (definition.derivative == Derivative::kNone) return s;

@@ -28,9 +28,6 @@ std::vector<LoweringOptions> lowerings(const std::string& function);
 /// rnea_hessian, frame_velocity_derivatives ... as derivatives; other requests as they are.
 Request defined_as(const Request& request);
 
-/// The inputs by which a derivative is taken: those named, or all.
-std::vector<std::string> derived_inputs(const Request& request, const Signature& signature);
-
 EngineFrames engine_frames(const Setup& setup);
 
 }  // namespace arboc

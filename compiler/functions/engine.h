@@ -24,13 +24,15 @@
 #include "algorithms/rnea_derivatives.h"
 
 /// X(name) for each method of Engine.
-#define ARBOC_ENGINE_METHODS(X)                                                          \
-  X(fk)                                                                                  \
-  X(rnea)                                                                                \
-  X(gravity) X(nle) X(crba) X(minv) X(aba) X(rnea_derivatives) X(aba_derivatives)        \
-      X(frame_velocity) X(frame_acceleration) X(frame_jacobian) X(frame_jacobian_dot)    \
-          X(joint_jacobians) X(com) X(com_jacobian) X(centroidal) X(energy) X(regressor) \
-              X(integrate) X(difference) X(integrate_derivatives) X(difference_derivatives)
+#define ARBOC_ENGINE_METHODS(X)                                                               \
+  X(fk)                                                                                       \
+  X(rnea)                                                                                     \
+  X(gravity)                                                                                  \
+  X(nle)                                                                                      \
+  X(crba) X(minv) X(aba) X(rnea_derivatives) X(aba_derivatives) X(frame_velocity)             \
+      X(frame_acceleration) X(frame_jacobian) X(frame_jacobian_dot) X(joint_jacobians) X(com) \
+          X(com_jacobian) X(centroidal) X(energy) X(regressor) X(integrate) X(difference)     \
+              X(integrate_derivatives) X(difference_derivatives)
 
 namespace arboc {
 

@@ -8,77 +8,13 @@
 #include "derive/hessian.h"
 #include "derive/jacobian.h"
 #include "derive/reverse.h"
-#include "functions/call.h"
+#include "functions/derived_signature.h"
+#include "functions/run.h"
+#include "functions/symbolic_tree.h"
 #include "functions/tangent.h"
 
 namespace arboc {
 namespace {
-
-template <class T>
-using Arguments = std::map<std::string, std::vector<T>>;
-
-/// Dense outputs in the order of the signature (of symmetric ones the upper triangle), then pivots.
-template <class Tree, class T>
-std::vector<std::vector<T>> run(const Signature& s, const Tree& tree, const Setup& setup,
-                                const Arguments<T>& inputs) {
-  const auto input = [&](const char* name) {
-    const auto it = inputs.find(name);
-    return it == inputs.end() ? nullptr : it->second.data();
-  };
-  const typename Engine<Tree, T>::Inputs in{input("q"),   input("v"),  input("a"),
-                                            input("tau"), input("q1"), input("f_ext")};
-  std::vector<std::vector<T>> results;
-  for (const Argument& a : s.outputs)
-    results.emplace_back(static_cast<size_t>(a.rows) * static_cast<size_t>(a.cols), T(0));
-  if (!s.positive.empty()) results.emplace_back(static_cast<size_t>(tree.nv), T(0));
-  std::vector<T*> out;
-  for (auto& result : results) out.push_back(result.data());
-  Engine<Tree, T> engine(tree, engine_frames(setup));
-  (engine.*engine_method<Tree, T>(s.name))(in, out.data());
-  return results;
-}
-
-/// The values of the parameters, in their order.
-template <class T>
-std::vector<std::vector<T>> parameter_values(const Setup& setup, const Arguments<T>& inputs) {
-  std::vector<std::vector<T>> values;
-  for (const Parameter& p : setup.parameters) values.push_back(inputs.at(p.name));
-  return values;
-}
-
-/// Where symbols leave a number alone it is the one of the tree of numbers, whose rounding is
-/// cleaned.
-void keep_number(double number, Expr& x) {
-  if (x.is_constant()) x = number;
-}
-void keep_numbers(const Vector3<double>& numbers, Vector3<Expr>& x) {
-  for (int k = 0; k < 3; ++k) keep_number(numbers[k], x[k]);
-}
-
-DynamicTreeOf<Expr> symbolic_tree(const Setup& setup, const LoweringOptions& lowering,
-                                  const DynamicTree& nominal, const Arguments<Expr>& inputs) {
-  DynamicTreeOf<Expr> tree = lower(setup.model, lowering,
-                                   numbers_with(setup.model, setup.joint_forces, setup.parameters,
-                                                parameter_values(setup, inputs)));
-  keep_numbers(nominal.gravity, tree.gravity);
-  for (size_t k = 0; k < tree.body.size(); ++k) {
-    const BodyOf<double>& from = nominal.body[k];
-    BodyOf<Expr>& to = tree.body[k];
-    keep_numbers(from.c, to.c);
-    keep_number(from.inertia.m, to.inertia.m);
-    keep_numbers(from.inertia.h, to.inertia.h);
-    const Symmetric3<double>& I = from.inertia.Sigma;
-    Symmetric3<Expr>& S = to.inertia.Sigma;
-    keep_number(I.xx, S.xx);
-    keep_number(I.yy, S.yy);
-    keep_number(I.zz, S.zz);
-    keep_number(I.xy, S.xy);
-    keep_number(I.xz, S.xz);
-    keep_number(I.yz, S.yz);
-  }
-  for (size_t k = 0; k < tree.frame.size(); ++k) keep_numbers(nominal.frame[k].p, tree.frame[k].p);
-  return tree;
-}
 
 /// Names the joint whose coordinate can never be accelerated by a finite force.
 void refuse_singular(const DynamicTree& tree, const std::vector<Expr>& pivots,
@@ -309,61 +245,10 @@ class Tracer {
   std::vector<Pattern> patterns_;
 };
 
-/// Scatters what a graph computes into dense outputs.
-Values evaluate_traced(const Request& request, const Setup& setup, const LoweringOptions& lowering,
-                       const Values& inputs) {
-  const Signature s = signature(request, setup);
-  const Traced traced = trace(request, setup, lowering);
-  std::vector<std::vector<double>> in;
-  for (const Argument& a : s.inputs) in.push_back(inputs.at(a.name));
-  const auto out = evaluate(traced.graph, in);
-  Values values;
-  for (size_t k = 0; k < s.outputs.size(); ++k) {
-    const Argument& a = s.outputs[k];
-    if (!a.sparse) {
-      values[a.name] = out[k];
-      continue;
-    }
-    std::vector<double>& dense = values[a.name];
-    dense.resize(static_cast<size_t>(a.rows) * static_cast<size_t>(a.cols));
-    const auto at = [&](int row, int col) -> double& {
-      return dense[static_cast<size_t>(row) * static_cast<size_t>(a.cols) +
-                   static_cast<size_t>(col)];
-    };
-    for (size_t e = 0; e < out[k].size(); ++e) {
-      const int row = traced.patterns[k].row[e], col = traced.patterns[k].col[e];
-      at(row, col) = out[k][e];
-      if (a.symmetric) at(col, row) = out[k][e];
-    }
-  }
-  return values;
-}
-
 }  // namespace
 
 Traced trace(const Request& request, const Setup& setup, const LoweringOptions& lowering) {
   return Tracer(request, setup, lowering).run();
-}
-
-Values evaluate_generic(const Request& request, const Setup& setup, const LoweringOptions& lowering,
-                        const Values& inputs) {
-  if (defined_as(request).derivative != Derivative::kNone)
-    return evaluate_traced(request, setup, lowering, inputs);
-  const Signature s = signature(request, setup);
-  const DynamicTree tree = lower(setup.model, lowering,
-                                 numbers_with(setup.model, setup.joint_forces, setup.parameters,
-                                              parameter_values(setup, inputs)));
-  std::vector<std::vector<double>> results = run(s, tree, setup, inputs);
-  Values values;
-  for (size_t k = 0; k < s.outputs.size(); ++k) {
-    const Argument& a = s.outputs[k];
-    std::vector<double>& result = results[k];
-    const auto n = static_cast<size_t>(a.rows);
-    for (size_t i = 0; a.symmetric && i < n; ++i)
-      for (size_t j = 0; j < i; ++j) result[i * n + j] = result[j * n + i];
-    values[a.name] = std::move(result);
-  }
-  return values;
 }
 
 }  // namespace arboc

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "functions/derived_signature.h"
+
 namespace arboc::test {
 namespace {
 

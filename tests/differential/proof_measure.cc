@@ -31,7 +31,9 @@ double amplification(const Row& row, const Reference& reference, const Values& i
 double allowed(const Row& row) {
   const bool by_differences = row.request.derivative != Derivative::kNone &&
                               (row.variation.loads || !row.variation.parameters.empty());
-  if (row.order() > 1) return by_differences ? 1e-6 : 1e-8;
+  const bool of_derivative = row.request.derivative != Derivative::kNone &&
+                             row.request.function.ends_with("_derivatives");
+  if (row.order() > 1) return by_differences || of_derivative ? 1e-6 : 1e-8;
   // The reference's steps of 1e-3 are long beside the inertia of a light link.
   if (by_differences) return row.request.function == "aba" ? 1e-6 : 1e-8;
   return row.order() == 1 ? 1e-11 : 1e-12;

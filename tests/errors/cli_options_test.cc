@@ -56,8 +56,8 @@ TEST(CliOptions, Derivatives) {
        {{"--gradient", "rnea.tau:q"},
         "--gradient rnea.tau:q: tau has 2 entries: ask for its --vjp, or for tau^2, the sum of its "
         "squares"},
-       {{"--jacobian", "rnea_derivatives.M:q"},
-        "--jacobian rnea_derivatives.M:q: rnea_derivatives is a derivative itself; ask for one of "
+       {{"--hessian", "rnea_derivatives.M:q"},
+        "--hessian rnea_derivatives.M:q: rnea_derivatives is a derivative itself; ask for one of "
         "rnea"},
        {{"--hessian", "rnea_hessian.H_qq"},
         "--hessian rnea_hessian.H_qq: rnea_hessian is a derivative itself; ask for one of rnea"}});
