@@ -51,9 +51,33 @@ void check_size(const Model& model, int max_dof) {
         model.file, nv, max_dof, nv));
 }
 
+namespace {
+
+/// Forces that are asked for and that no joint has.
+void warn_of_absent_forces(const Setup& setup, Diagnostics& diagnostics) {
+  const auto look = [&](bool asked, const char* name, double Joint::*value) {
+    if (!asked || std::any_of(setup.model.joints.begin(), setup.model.joints.end(),
+                              [&](const Joint& joint) { return joint.*value != 0; }))
+      return;
+    diagnostics.report({Severity::kWarning,
+                        setup.model.file,
+                        {},
+                        "",
+                        fmt::format("--joint-forces {}: no joint of the model has any", name),
+                        ""});
+  };
+  look(setup.joint_forces.damping, "damping", &Joint::damping);
+  look(setup.joint_forces.friction, "friction", &Joint::friction);
+  look(setup.joint_forces.stiffness, "stiffness", &Joint::stiffness);
+  look(setup.joint_forces.rotor, "rotor", &Joint::rotor_inertia);
+}
+
+}  // namespace
+
 Compilation compile(const Model& model, const CompileOptions& options, Diagnostics& diagnostics) {
   Compilation result{resolve(configure(model, options.model, diagnostics), options.function), {}};
   check_size(result.setup.model, options.max_dof);
+  warn_of_absent_forces(result.setup, diagnostics);
   for (const Request& request : options.requests)
     result.functions.push_back(compile_function(request, result.setup));
   return result;

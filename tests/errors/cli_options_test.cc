@@ -187,6 +187,15 @@ type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint>
   EXPECT_EQ(rest.status, 0) << rest.err;
 }
 
+TEST(CliOptions, JointForcesThatNoJointHasAreSaid) {
+  const TempDir folder;
+  const Outcome outcome = run_arboc({"compile", kUr5, "-o", folder / "out", "--functions", "rnea",
+                                     "--joint-forces", "rotor"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err,
+            "ur5.urdf: warning: --joint-forces rotor: no joint of the model has any\n");
+}
+
 TEST(CliOptions, InspectShowsParameters) {
   const Outcome outcome = run_arboc({"inspect", kModel, "--parameters", "masses:lower_rod"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
