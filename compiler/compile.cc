@@ -28,9 +28,11 @@ CompiledFunction compile_function(const Request& request, const Setup& setup) {
   CompiledFunction best;
   const Signature asked = signature(request, setup);
   bool first = true;
-  for (const LoweringOptions& lowering : lowerings(request.function)) {
+  for (LoweringOptions lowering : lowerings(request.function)) {
+    if (!first && !setup.simplify.frames) break;
+    lowering.regroup = lowering.regroup && setup.simplify.regroup;
     Traced traced = trace_of(request, setup, lowering);
-    Graph graph = run_passes(std::move(traced.graph));
+    Graph graph = run_passes(std::move(traced.graph), setup.simplify.fuse);
     Program program = schedule(graph);
     if (!first && program.ops.total() >= best.program.ops.total()) continue;
     first = false;
@@ -116,6 +118,11 @@ void add_changed(const FunctionOptions& options, std::vector<std::string>& chang
   if (velocity != JointForces().friction_velocity)
     changed.push_back("--friction-velocity " + shortest(velocity));
   add("parameters", options.parameters);
+  std::vector<std::string> without;
+  if (!options.simplify.frames) without.emplace_back("frames");
+  if (!options.simplify.regroup) without.emplace_back("regroup");
+  if (!options.simplify.fuse) without.emplace_back("fuse");
+  add("without", without);
   if (options.iterated) changed.emplace_back("--iterated");
 }
 

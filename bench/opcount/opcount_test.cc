@@ -20,14 +20,19 @@ constexpr Row kModels[] = {
     {"quadruped", Base::kFloating},    {"humanoid", Base::kFloating}, {"all_joints", Base::kFixed},
 };
 
-std::string lines(const Row& row) {
+Model model_of(const Row& row) {
   const std::string name = row.model;
   Diagnostics diagnostics;
   ModelOptions options;
   options.base = row.base;
-  const Model model =
-      configure(read_model(ARBOC_SOURCE_DIR "/models/" + name + "/" + name + ".urdf", diagnostics),
-                options, diagnostics);
+  return configure(
+      read_model(ARBOC_SOURCE_DIR "/models/" + name + "/" + name + ".urdf", diagnostics), options,
+      diagnostics);
+}
+
+std::string lines(const Row& row) {
+  const std::string name = row.model;
+  const Model model = model_of(row);
   std::string out;
   for (const std::string& function : function_names()) {
     const OpCount n = compile_function({function}, resolve(model)).program.ops;
@@ -35,6 +40,37 @@ std::string lines(const Row& row) {
                        n.mul, n.add, n.fma, n.div, n.sqrt, n.sincos, n.total());
   }
   return out;
+}
+
+/// Operations of one function with some simplification left out.
+int total(const Model& model, const std::string& function, const Simplifications& simplify) {
+  FunctionOptions options;
+  options.simplify = simplify;
+  return compile_function({function}, resolve(model, options)).program.ops.total();
+}
+
+/// What each simplification is worth: the counts without it.
+std::string simplified_lines(const Row& row) {
+  const std::string name = row.model;
+  const Model model = model_of(row);
+  std::string out;
+  for (const char* function :
+       {"rnea", "crba", "aba", "rnea_derivatives", "frame_jacobian", "rnea_hessian"}) {
+    Simplifications no_frames, no_regroup, no_fuse;
+    no_frames.frames = no_regroup.regroup = no_fuse.fuse = false;
+    out += fmt::format("{:<16} {:<18} {:>6} {:>7} {:>8} {:>6} {:>6}\n", name, function,
+                       total(model, function, {}), total(model, function, no_frames),
+                       total(model, function, no_regroup), total(model, function, no_fuse),
+                       total(model, function, {false, false, false}));
+  }
+  return out;
+}
+
+TEST(OpCount, OfEachSimplificationEqualsTheTable) {
+  std::string table = fmt::format("{:<16} {:<18} {:>6} {:>7} {:>8} {:>6} {:>6}\n", "model",
+                                  "without", "-", "frames", "regroup", "fuse", "all");
+  for (const Row& row : kModels) table += simplified_lines(row);
+  expect_golden(ARBOC_SOURCE_DIR "/bench/opcount/simplifications.txt", table);
 }
 
 TEST(OpCount, EqualsTheTable) {

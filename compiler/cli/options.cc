@@ -41,6 +41,22 @@ Lock parse_lock(const std::string& text) {
   return lock;
 }
 
+Simplifications parse_without(const std::string& list) {
+  Simplifications simplify;
+  for (const std::string& word : split(list)) {
+    if (word == "frames")
+      simplify.frames = false;
+    else if (word == "regroup")
+      simplify.regroup = false;
+    else if (word == "fuse")
+      simplify.fuse = false;
+    else
+      throw UsageError(
+          unknown("--without", "there is no simplification", word, {"frames", "regroup", "fuse"}));
+  }
+  return simplify;
+}
+
 /// "damping,rotor" on top of what is there.
 JointForces parse_joint_forces(JointForces forces, const std::string& list) {
   const std::vector<std::string> given = split(list);
@@ -219,6 +235,11 @@ void add_request_options(CLI::App& app, Common& common) {
       ->check(CLI::Validator(check_positive, ""))
       ->capture_default_str()
       ->type_name("V")
+      ->group("Functions");
+  app.add_option_function<std::string>(
+         "--without", [&f](const std::string& given) { f.simplify = parse_without(given); },
+         "simplifications to leave out, to see what they are worth: frames, regroup, fuse")
+      ->type_name("LIST")
       ->group("Functions");
   list("--parameters", f.parameters, "LIST",
        "numbers that stay inputs: gravity, masses, centres, inertias, lengths, or of one link or "

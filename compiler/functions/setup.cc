@@ -36,6 +36,7 @@ Setup resolve(Model model, const FunctionOptions& options) {
   setup.joint_forces = options.joint_forces;
   setup.parameters = resolve_parameters(model, options.parameters);
   setup.iterated = options.iterated;
+  setup.simplify = options.simplify;
   const Coordinates at = coordinates(model);
   setup.nq = at.nq;
   setup.nv = at.nv;

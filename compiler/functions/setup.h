@@ -10,6 +10,13 @@
 
 namespace arboc {
 
+/// What can be left out to see what it is worth.
+struct Simplifications {
+  bool frames = true;   ///< both choices of frames are traced and the cheaper is kept
+  bool regroup = true;  ///< inertial parameters move to where they need fewer operations
+  bool fuse = true;     ///< sums of products become chains of fused multiply-adds
+};
+
 /// What all functions of one compilation share, as the user wrote it.
 struct FunctionOptions {
   std::vector<std::string> frames;           ///< links; none: those that a joint moves
@@ -20,6 +27,7 @@ struct FunctionOptions {
   /// Hessians as derivatives of derivatives along the body's axes, not symmetric where a joint
   /// turns about several of them; otherwise second derivatives of f(q (+) d).
   bool iterated = false;
+  Simplifications simplify;
 };
 
 struct Setup {
@@ -31,6 +39,7 @@ struct Setup {
   JointForces joint_forces;
   std::vector<Parameter> parameters;
   bool iterated = false;
+  Simplifications simplify;
   int nq = 0, nv = 0;
 };
 

@@ -11,8 +11,9 @@ const std::array<Pass, 3> kPasses = {{
     {"remove dead nodes", remove_dead},
 }};
 
-Graph run_passes(Graph graph) {
+Graph run_passes(Graph graph, bool fused) {
   for (const Pass& pass : kPasses) {
+    if (pass.run == fuse && !fused) continue;
     graph = pass.run(graph);
     verify(graph);
   }

@@ -12,7 +12,7 @@ struct Pass {
 };
 extern const std::array<Pass, 3> kPasses;
 
-/// Runs all of them, verifying the graph after each.
-Graph run_passes(Graph graph);
+/// Runs all of them, verifying the graph after each; without `fused`, all but the fusing of sums.
+Graph run_passes(Graph graph, bool fused = true);
 
 }  // namespace arboc

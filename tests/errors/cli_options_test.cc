@@ -1,6 +1,8 @@
 // One wrong option a message, and the whole first line of what is said about it.
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "support/run_program.h"
 
 namespace arboc::test {
@@ -189,11 +191,29 @@ type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint>
 
 TEST(CliOptions, JointForcesThatNoJointHasAreSaid) {
   const TempDir folder;
-  const Outcome outcome = run_arboc({"compile", kUr5, "-o", folder / "out", "--functions", "rnea",
-                                     "--joint-forces", "rotor"});
+  const Outcome outcome = run_arboc(
+      {"compile", kUr5, "-o", folder / "out", "--functions", "rnea", "--joint-forces", "rotor"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err,
             "ur5.urdf: warning: --joint-forces rotor: no joint of the model has any\n");
+}
+
+TEST(CliOptions, SimplificationsCanBeLeftOut) {
+  const auto total = [](const Arguments& more) {
+    Arguments command{"inspect", kUr5, "--ops", "rnea"};
+    command.insert(command.end(), more.begin(), more.end());
+    const std::string out = run_arboc(command).out;
+    std::istringstream row(out.substr(out.rfind("\nrnea ") + 6));
+    int operations = 0;
+    row >> operations;
+    return operations;
+  };
+  EXPECT_LT(total({}), total({"--without", "regroup"}));
+  EXPECT_LT(total({"--without", "regroup"}), total({"--without", "regroup,fuse,frames"}));
+  const Outcome wrong = run_arboc({"inspect", kUr5, "--ops", "rnea", "--without", "fusion"});
+  EXPECT_EQ(wrong.status, 1);
+  EXPECT_NE(wrong.err.find("--without: there is no simplification 'fusion'"), std::string::npos)
+      << wrong.err;
 }
 
 TEST(CliOptions, InspectShowsParameters) {
