@@ -1,0 +1,12 @@
+@banner@
+//
+// The functions of @name@ as types, for arboc::Batch and other code that is written once for all
+// functions.  Include the header of each function that you use as well.
+#pragma once
+
+#include "@name@_raw.hpp"
+#include "arboc/batch.hpp"
+
+namespace @name@ {
+
+@functions@}  // namespace @name@
