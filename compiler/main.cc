@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "base/diagnostic.h"
+#include "cli/bench.h"
 #include "cli/common.h"
 #include "cli/help.h"
 #include "emit/emit.h"
@@ -21,6 +22,8 @@ struct Arguments {
   bool ops = false;
   EvalOptions eval;
   int states = 100;
+  bool in_lanes = false;
+  std::string lanes;
 };
 
 void add_compile(CLI::App& app, Arguments& args) {
@@ -112,6 +115,13 @@ void add_bench(CLI::App& app, Arguments& args) {
   add_model_options(*sub, args.common);
   add_function_option(*sub, args.common);
   sub->add_flag("--json", args.common.json, "as JSON");
+  sub->add_option(
+         "--lanes", args.lanes,
+         "time one state a call against packs of N states, of floats with f (default: 4,8)")
+      ->expected(0, 1)
+      ->type_name("[N[f],...]")
+      ->default_str("");
+  sub->callback([sub, &args] { args.in_lanes = sub->count("--lanes") > 0; });
   add_compiler_options(*sub, args.common);
 }
 
@@ -120,6 +130,7 @@ int dispatch(const CLI::App& app, const Arguments& args) {
   if (app.got_subcommand("inspect")) return run_inspect(args.common, args.ops);
   if (app.got_subcommand("eval")) return run_eval(args.common, args.eval);
   if (app.got_subcommand("check")) return run_check(args.common, args.states);
+  if (args.in_lanes) return run_bench_lanes(args.common, args.lanes);
   return run_bench(args.common);
 }
 

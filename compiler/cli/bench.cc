@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number.h"
+#include "cli/bench.h"
 #include "cli/build.h"
-#include "cli/common.h"
 #include "emit/emit.h"
 #include "emit/names.h"
 #include "emit/template.h"
@@ -164,19 +164,7 @@ std::string driver(const TargetModel& target, const Compilation& compilation) {
                {"cases", cases}});
 }
 
-struct Row {
-  std::string function;
-  double generated = 0, generic = 0, difference = 0;  ///< generic: 0 where there is none
-  int ops = 0;
-  double allowed = 0;
-};
-
-/// Inputs of a function at all states, one after the other, and what it should return where the
-/// driver has no other engine.
-struct Samples {
-  std::vector<std::vector<double>> inputs;
-  std::vector<double> known;
-};
+}  // namespace
 
 Samples samples(const CompiledFunction& f, const Setup& setup, int states) {
   Samples result;
@@ -200,8 +188,8 @@ Samples samples(const CompiledFunction& f, const Setup& setup, int states) {
   return result;
 }
 
-std::vector<Row> time(const Common& common, const Compilation& compilation,
-                      const TargetModel& target) {
+std::vector<BenchRow> time_generic(const Common& common, const Compilation& compilation,
+                                   const TargetModel& target) {
   const TemporaryFolder folder;
   Files files;
   for (const auto& [path, bytes] : emit_cpp(target)) files[target.name + "/" + path] = bytes;
@@ -213,7 +201,7 @@ std::vector<Row> time(const Common& common, const Compilation& compilation,
   constexpr int kStates = 32;
   using Bench = void (*)(int, int, const double* const*, const double*, double*);
   const auto bench = reinterpret_cast<Bench>(library.symbol("arboc_bench"));
-  std::vector<Row> rows;
+  std::vector<BenchRow> rows;
   for (size_t k = 0; k < target.functions.size(); ++k) {
     const CompiledFunction& f = compilation.functions[k];
     progress(static_cast<int>(k) + 1, static_cast<int>(target.functions.size()),
@@ -231,19 +219,18 @@ std::vector<Row> time(const Common& common, const Compilation& compilation,
   return rows;
 }
 
-}  // namespace
-
 int run_bench(const Common& common) {
   CompileOptions options = common.compile;
   options.requests = requests(common);
   const Compilation compilation = compiled(common, options);
-  const std::vector<Row> rows = time(common, compilation, target(compilation, options));
+  const std::vector<BenchRow> rows =
+      time_generic(common, compilation, target(compilation, options));
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   if (!common.json)
     fmt::print("{:<30} {:>10} {:>14} {:>12} {:>7} {:>12}\n", "function", "operations",
                "generated ns", "generic ns", "ratio", "difference");
   bool agree = true;
-  for (const Row& row : rows) {
+  for (const BenchRow& row : rows) {
     agree = agree && row.difference <= row.allowed;
     const bool compared = row.generic > 0;
     if (common.json) {

@@ -88,7 +88,7 @@ class Function {
                  {"function", program_.name},
                  {"parts", parts},
                  {"documentation", documentation()},
-                 {"result", function_.signature.positive.empty() ? "void" : "int"},
+                 {"result", result_type(function_, "T")},
                  {"parameters", parameters(function_, "T", " ARBOC_RESTRICT")},
                  {"body", body(calls)}});
   }
@@ -144,11 +144,12 @@ class Function {
       if (!used_.outputs.contains(static_cast<int>(p)))
         out += fmt::format("  static_cast<void>({});\n", outputs[p].name);
     if (checked) {
-      out += fmt::format("  for (int i = 0; i < {}; ++i) {{\n    if ({}[i] > T(0)) continue;\n",
-                         outputs.back().size, outputs.back().name);
+      out += fmt::format("  const arboc::status_t<T> status = arboc::check_positive({}, {});\n",
+                         outputs.back().name, outputs.back().size);
       for (size_t k = 0; k + 1 < outputs.size(); ++k)
-        out += fmt::format("    arboc::fill_nan({}, {});\n", outputs[k].name, outputs[k].size);
-      out += "    return 1 + i;\n  }\n  return 0;\n";
+        out +=
+            fmt::format("  arboc::fill_nan(status, {}, {});\n", outputs[k].name, outputs[k].size);
+      out += "  return status;\n";
     }
     return out;
   }
@@ -191,6 +192,11 @@ class Function {
 };
 
 }  // namespace
+
+std::string result_type(const TargetFunction& function, const std::string& scalar) {
+  if (function.signature.positive.empty()) return "void";
+  return fmt::format("arboc::status_t<{}>", scalar);
+}
 
 std::string parameters(const TargetFunction& function, const std::string& scalar,
                        const std::string& qualifier) {

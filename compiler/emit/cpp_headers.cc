@@ -190,11 +190,12 @@ std::string raw_header(const TargetModel& model) {
   if (!dense.empty()) constants += kScatter;
   std::string declarations;
   for (const TargetFunction& f : model.functions) {
-    const char* result = f.signature.positive.empty() ? "void" : "int";
-    declarations += fmt::format("/// {}\ntemplate <class T>\n{} {}({}) noexcept;\n",
-                                f.signature.meaning, result, f.signature.name, parameters(f, "T"));
-    declarations += fmt::format("extern template {} {}<double>({}) noexcept;\n\n", result,
-                                f.signature.name, parameters(f, "double"));
+    declarations +=
+        fmt::format("/// {}\ntemplate <class T>\n{} {}({}) noexcept;\n", f.signature.meaning,
+                    result_type(f, "T"), f.signature.name, parameters(f, "T"));
+    declarations +=
+        fmt::format("extern template {} {}<double>({}) noexcept;\n\n", result_type(f, "double"),
+                    f.signature.name, parameters(f, "double"));
   }
   return fill("cpp/NAME_raw.hpp", {{"banner", banner(model)},
                                    {"name", model.name},

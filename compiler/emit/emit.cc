@@ -38,22 +38,25 @@ Files emit_cpp(const TargetModel& model) {
   for (const TargetFunction& f : model.functions) {
     const std::string stem = name + "_" + f.signature.name;
     files[stem + ".hpp"] = function_header(model, f);
-    files[stem + "_double.cpp"] = fill("cpp/NAME_FUNCTION_double.cpp",
-                                       {{"banner", banner(model)},
-                                        {"name", name},
-                                        {"function", f.signature.name},
-                                        {"result", f.signature.positive.empty() ? "void" : "int"},
-                                        {"parameters", parameters(f, "double")}});
+    files[stem + "_double.cpp"] =
+        fill("cpp/NAME_FUNCTION_double.cpp", {{"banner", banner(model)},
+                                              {"name", name},
+                                              {"function", f.signature.name},
+                                              {"result", result_type(f, "double")},
+                                              {"parameters", parameters(f, "double")}});
     sources += fmt::format("{}  {}_double.cpp", sources.empty() ? "" : "\n", stem);
   }
   files[name + "_raw.hpp"] = raw_header(model);
   files[name + ".hpp"] = eigen_header(model);
+  files[name + "_batch.hpp"] = batch_header(model);
   files[name + "_selftest.cpp"] = selftest(model);
   std::string upper;
   for (const char c : name) upper += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
   files["CMakeLists.txt"] =
       fill("cpp/CMakeLists.txt", {{"name", name}, {"NAME", upper}, {"sources", sources}});
-  files["arboc/scalar.hpp"] = embedded("runtime/arboc/scalar.hpp");
+  const std::string runtime = "runtime/";
+  for (const std::string& header : embedded_names(runtime))
+    files[header.substr(runtime.size())] = embedded(header);
   files["manifest.json"] = manifest(model, files);
   return files;
 }

@@ -5,8 +5,8 @@
 namespace arboc {
 
 /// The folder: NAME_raw.hpp, NAME_<function>.hpp and _double.cpp, NAME.hpp,
-/// NAME_selftest.cpp, CMakeLists.txt, arboc/scalar.hpp, manifest.json.  The same bytes for the same
-/// model, options and version.
+/// NAME_batch.hpp, NAME_selftest.cpp, CMakeLists.txt, arboc/*.hpp, manifest.json.  The same bytes
+/// for the same model, options and version.
 Files emit_cpp(const TargetModel& model);
 
 /// manifest.json: version, model, options, conventions, functions with shapes, units, sparsity and
@@ -20,9 +20,12 @@ const char* version();
 std::string banner(const TargetModel& model);
 std::string parameters(const TargetFunction& function, const std::string& scalar,
                        const std::string& qualifier = "");
+/// `void`, or of a checked function its status.
+std::string result_type(const TargetFunction& function, const std::string& scalar);
 std::string function_header(const TargetModel& model, const TargetFunction& function);
 std::string raw_header(const TargetModel& model);
 std::string eigen_header(const TargetModel& model);
+std::string batch_header(const TargetModel& model);
 std::string selftest(const TargetModel& model);
 
 }  // namespace arboc

@@ -6,6 +6,8 @@
 
 #include <limits>
 
+#include "arboc/scalar.hpp"
+
 namespace @name@ {
 
 inline constexpr int nq = @nq@;  ///< entries of q
