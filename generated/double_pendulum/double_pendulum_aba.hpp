@@ -56,18 +56,15 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau
 /// Returns 0, or 1 + the index of the first pivot that is not positive; then all is nan.
 /// 8 mul, 1 add, 11 fma, 1 div, 0 sqrt, 2 sincos.
 template <class T>
-int aba(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau, T* ARBOC_RESTRICT qdd) noexcept {
+arboc::status_t<T> aba(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau, T* ARBOC_RESTRICT qdd) noexcept {
   T w[4];
   T pivot[2];
   aba_parts::angles<T>(q, w);
   aba_parts::part0<T>(v, tau, qdd, pivot, w);
   pivot[1] = T(0.050015000000000004);
-  for (int i = 0; i < 2; ++i) {
-    if (pivot[i] > T(0)) continue;
-    arboc::fill_nan(qdd, 2);
-    return 1 + i;
-  }
-  return 0;
+  const arboc::status_t<T> status = arboc::check_positive(pivot, 2);
+  arboc::fill_nan(status, qdd, 2);
+  return status;
 }
 
 }  // namespace raw

@@ -99,20 +99,17 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau
 /// Returns 0, or 1 + the index of the first pivot that is not positive; then all is nan.
 /// 27 mul, 5 add, 23 fma, 1 div, 0 sqrt, 2 sincos.
 template <class T>
-int aba_derivatives(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau, T* ARBOC_RESTRICT dqdd_dq, T* ARBOC_RESTRICT dqdd_dv, T* ARBOC_RESTRICT Minv) noexcept {
+arboc::status_t<T> aba_derivatives(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau, T* ARBOC_RESTRICT dqdd_dq, T* ARBOC_RESTRICT dqdd_dv, T* ARBOC_RESTRICT Minv) noexcept {
   T w[4];
   T pivot[2];
   aba_derivatives_parts::angles<T>(q, w);
   aba_derivatives_parts::part0<T>(v, tau, dqdd_dq, dqdd_dv, Minv, pivot, w);
   pivot[1] = T(0.050015000000000004);
-  for (int i = 0; i < 2; ++i) {
-    if (pivot[i] > T(0)) continue;
-    arboc::fill_nan(dqdd_dq, 4);
-    arboc::fill_nan(dqdd_dv, 4);
-    arboc::fill_nan(Minv, 3);
-    return 1 + i;
-  }
-  return 0;
+  const arboc::status_t<T> status = arboc::check_positive(pivot, 2);
+  arboc::fill_nan(status, dqdd_dq, 4);
+  arboc::fill_nan(status, dqdd_dv, 4);
+  arboc::fill_nan(status, Minv, 3);
+  return status;
 }
 
 }  // namespace raw

@@ -4,4 +4,4 @@
 
 #include "double_pendulum_raw.hpp"
 
-template int double_pendulum::raw::aba_derivatives<double>(const double* q, const double* v, const double* tau, double* dqdd_dq, double* dqdd_dv, double* Minv) noexcept;
+template arboc::status_t<double> double_pendulum::raw::aba_derivatives<double>(const double* q, const double* v, const double* tau, double* dqdd_dq, double* dqdd_dv, double* Minv) noexcept;

@@ -4,4 +4,4 @@
 
 #include "double_pendulum_raw.hpp"
 
-template int double_pendulum::raw::aba<double>(const double* q, const double* v, const double* tau, double* qdd) noexcept;
+template arboc::status_t<double> double_pendulum::raw::aba<double>(const double* q, const double* v, const double* tau, double* qdd) noexcept;

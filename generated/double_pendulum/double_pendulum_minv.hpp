@@ -45,18 +45,15 @@ ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT Minv, T* ARBOC_RESTRICT pivot, T* AR
 /// Returns 0, or 1 + the index of the first pivot that is not positive; then all is nan.
 /// 2 mul, 0 add, 4 fma, 1 div, 0 sqrt, 1 sincos.
 template <class T>
-int minv(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT Minv) noexcept {
+arboc::status_t<T> minv(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT Minv) noexcept {
   T w[2];
   T pivot[2];
   minv_parts::angles<T>(q, w);
   minv_parts::part0<T>(Minv, pivot, w);
   pivot[1] = T(0.050015000000000004);
-  for (int i = 0; i < 2; ++i) {
-    if (pivot[i] > T(0)) continue;
-    arboc::fill_nan(Minv, 3);
-    return 1 + i;
-  }
-  return 0;
+  const arboc::status_t<T> status = arboc::check_positive(pivot, 2);
+  arboc::fill_nan(status, Minv, 3);
+  return status;
 }
 
 }  // namespace raw

@@ -4,4 +4,4 @@
 
 #include "double_pendulum_raw.hpp"
 
-template int double_pendulum::raw::minv<double>(const double* q, double* Minv) noexcept;
+template arboc::status_t<double> double_pendulum::raw::minv<double>(const double* q, double* Minv) noexcept;

@@ -7,6 +7,8 @@
 
 #include <limits>
 
+#include "arboc/scalar.hpp"
+
 namespace double_pendulum {
 
 inline constexpr int nq = 2;  ///< entries of q
@@ -274,13 +276,13 @@ extern template void crba<double>(const double* q, double* M) noexcept;
 
 /// Inverse of the joint-space inertia matrix.
 template <class T>
-int minv(const T* q, T* Minv) noexcept;
-extern template int minv<double>(const double* q, double* Minv) noexcept;
+arboc::status_t<T> minv(const T* q, T* Minv) noexcept;
+extern template arboc::status_t<double> minv<double>(const double* q, double* Minv) noexcept;
 
 /// Forward dynamics: M(q) qdd = tau - C(q, v) v - g(q).
 template <class T>
-int aba(const T* q, const T* v, const T* tau, T* qdd) noexcept;
-extern template int aba<double>(const double* q, const double* v, const double* tau, double* qdd) noexcept;
+arboc::status_t<T> aba(const T* q, const T* v, const T* tau, T* qdd) noexcept;
+extern template arboc::status_t<double> aba<double>(const double* q, const double* v, const double* tau, double* qdd) noexcept;
 
 /// First derivatives of inverse dynamics with respect to q, v and a.
 template <class T>
@@ -289,8 +291,8 @@ extern template void rnea_derivatives<double>(const double* q, const double* v, 
 
 /// First derivatives of forward dynamics with respect to q, v and tau.
 template <class T>
-int aba_derivatives(const T* q, const T* v, const T* tau, T* dqdd_dq, T* dqdd_dv, T* Minv) noexcept;
-extern template int aba_derivatives<double>(const double* q, const double* v, const double* tau, double* dqdd_dq, double* dqdd_dv, double* Minv) noexcept;
+arboc::status_t<T> aba_derivatives(const T* q, const T* v, const T* tau, T* dqdd_dq, T* dqdd_dv, T* Minv) noexcept;
+extern template arboc::status_t<double> aba_derivatives<double>(const double* q, const double* v, const double* tau, double* dqdd_dq, double* dqdd_dv, double* Minv) noexcept;
 
 /// Second derivatives of lambda^T tau with respect to q, v and a.
 template <class T>

@@ -7,6 +7,8 @@
 
 #include <limits>
 
+#include "arboc/scalar.hpp"
+
 namespace ur5 {
 
 inline constexpr int nq = 6;  ///< entries of q

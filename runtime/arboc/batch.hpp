@@ -5,8 +5,8 @@
 //   arboc::Batch<ur5::rnea_fn> batch;
 //   batch.evaluate(n, {q, v, a}, {tau});  // q: n x 6, one state a row
 //
-// With -O2 -march=native -fno-tree-vectorize; clang fuses products and sums of packs only if given
-// -ffp-contract=fast as well.
+// The wider the vectors that the compiler may use, the faster; vectorisation across statements only
+// costs time (-fno-tree-vectorize).  Link with -pthread where the C library asks for it.
 #ifndef ARBOC_BATCH_HPP
 #define ARBOC_BATCH_HPP
 

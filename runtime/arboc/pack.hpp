@@ -20,6 +20,13 @@
 
 #define ARBOC_INLINE inline __attribute__((always_inline))
 
+// clang fuses products into sums of another function only where both say that they allow it.
+#if defined(__clang__)
+#define ARBOC_FUSE _Pragma("clang fp contract(fast)")
+#else
+#define ARBOC_FUSE
+#endif
+
 #if defined(__has_builtin)
 #define ARBOC_HAS_BUILTIN(x) __has_builtin(x)
 #else
@@ -84,9 +91,18 @@ struct Pack {
   ARBOC_INLINE void set(int lane, S x) { v[lane] = x; }
 
   friend ARBOC_INLINE Pack operator-(const Pack& a) { return Pack(-a.v); }
-  friend ARBOC_INLINE Pack operator+(const Pack& a, const Pack& b) { return Pack(a.v + b.v); }
-  friend ARBOC_INLINE Pack operator-(const Pack& a, const Pack& b) { return Pack(a.v - b.v); }
-  friend ARBOC_INLINE Pack operator*(const Pack& a, const Pack& b) { return Pack(a.v * b.v); }
+  friend ARBOC_INLINE Pack operator+(const Pack& a, const Pack& b) {
+    ARBOC_FUSE
+    return Pack(a.v + b.v);
+  }
+  friend ARBOC_INLINE Pack operator-(const Pack& a, const Pack& b) {
+    ARBOC_FUSE
+    return Pack(a.v - b.v);
+  }
+  friend ARBOC_INLINE Pack operator*(const Pack& a, const Pack& b) {
+    ARBOC_FUSE
+    return Pack(a.v * b.v);
+  }
   friend ARBOC_INLINE Pack operator/(const Pack& a, const Pack& b) { return Pack(a.v / b.v); }
 };
 

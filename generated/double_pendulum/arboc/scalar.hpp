@@ -137,47 +137,23 @@ inline T arc_ratio(const T& w) {
 
 }  // namespace detail
 
-/// The entire function c_k(x) = sum_i (-x)^i / (k + 2 i)!, x >= 0:  c_0 = cos sqrt(x), c_1 =
-/// sin sqrt(x) / sqrt(x), c_2 = (1 - cos sqrt(x)) / x, ...  The series up to where its second term
-/// is half the first, above it c_k = (1 / (k - 2)! - c_(k-2)) / x.
+namespace detail {
+
+/// c_k (see stumpff) by its series, for x < (k + 1) (k + 2) / 2, where the second term is half the
+/// first.
 template <int k, class T>
-inline T stumpff(const T& x) {
-  if (x < T(0.5 * (k + 1) * (k + 2))) {
-    constexpr int kTerms = 10 + 3 * k / 2;
-    T sum(1);
-    for (int i = kTerms; i > 0; --i)
-      sum = T(1) - T(1.0 / ((k + 2 * i - 1) * (k + 2 * i))) * x * sum;
-    return T(detail::inverse_factorial(k)) * sum;
-  }
-  if constexpr (k > 2) {
-    return (T(detail::inverse_factorial(k - 2)) - stumpff<k - 2>(x)) / x;
-  } else if constexpr (k == 2) {
-    const T half = stumpff<1>(T(0.25) * x);
-    return T(0.5) * half * half;
-  } else {
-    using std::sqrt;
-    const T root = sqrt(x);
-    T sine, cosine;
-    sincos(root, sine, cosine);
-    if constexpr (k == 0) return cosine;
-    return sine / root;
-  }
+inline T stumpff_series(const T& x) {
+  constexpr int kTerms = 10 + 3 * k / 2;
+  T sum(1);
+  for (int i = kTerms; i > 0; --i) sum = T(1) - T(1.0 / ((k + 2 * i - 1) * (k + 2 * i))) * x * sum;
+  return T(inverse_factorial(k)) * sum;
 }
 
-/// The rotation vector of a unit quaternion is this function of its real part w times its imaginary
-/// part: 2 sign(w) acos(|w|) / sqrt(1 - w^2), with sign(0) = 1.  Its length is at most pi.
+/// (1 - h cot h) / (4 h^2) where c = cos h >= 0 and ratio = h / sin h.  With y = (h / pi)^2 <= 1/4
+/// it is sum_n zeta(2 n + 2) y^n / (2 pi^2), of which zeta's part 1 is a geometric series; what
+/// remains of the coefficients falls like 4^-n.
 template <class T>
-inline T quaternion_log(const T& w) {
-  if (w < T(0)) return T(-2) * detail::arc_ratio(T(-w));
-  return T(2) * detail::arc_ratio(w);
-}
-
-/// b of V^-1(phi) = 1 - [phi] / 2 + b [phi]^2 where |w| = cos(|phi| / 2):
-///   b = (1 - h cot h) / (4 h^2),  h = acos(|w|),  1/12 at |w| = 1.
-/// With y = (h / pi)^2 <= 1/4 it is sum_n zeta(2 n + 2) y^n / (2 pi^2), of which zeta's part 1 is a
-/// geometric series; what remains of the coefficients falls like 4^-n.
-template <class T>
-inline T log_curvature(const T& w) {
+inline T curvature(const T& c, const T& ratio) {
   constexpr double kRest[] = {
       0.64493406684822643647,   0.082323233711138191516,  0.017343061984449139714,
       0.0040773561979443393787, 9.9457512781808533715e-4, 2.4608655330804829863e-4,
@@ -185,18 +161,105 @@ inline T log_curvature(const T& w) {
       9.5396203387279611315e-7, 2.3845050272773299001e-7, 5.9608189051259479612e-8,
       1.4901554828365041235e-8, 3.7253340247884570549e-9, 9.3132743241966818288e-10};
   constexpr double kInversePi2 = 0.10132118364233777144;  // 1 / pi^2
-  const T c = w < T(0) ? T(-w) : T(w);
-  const T ratio = detail::arc_ratio(c);
   const T y = (T(kInversePi2) * ratio) * (ratio * ((T(1) - c) * (T(1) + c)));
   T rest(0);
   for (int n = 14; n >= 0; --n) rest = rest * y + T(kRest[n]);
   return T(0.5 * kInversePi2) * (T(1) / (T(1) - y) + rest);
 }
 
+}  // namespace detail
+
+/// The functions of rotations of a scalar that can be compared; packs specialise it.
+template <class T>
+struct Rotations {
+  template <int k>
+  static T stumpff(const T& x) {
+    if (x < T(0.5 * (k + 1) * (k + 2))) return detail::stumpff_series<k>(x);
+    if constexpr (k > 2) {
+      return (T(detail::inverse_factorial(k - 2)) - stumpff<k - 2>(x)) / x;
+    } else if constexpr (k == 2) {
+      const T half = stumpff<1>(T(0.25) * x);
+      return T(0.5) * half * half;
+    } else {
+      using std::sqrt;
+      const T root = sqrt(x);
+      T sine, cosine;
+      sincos(root, sine, cosine);
+      if constexpr (k == 0) return cosine;
+      return sine / root;
+    }
+  }
+  static T quaternion_log(const T& w) {
+    if (w < T(0)) return T(-2) * detail::arc_ratio(T(-w));
+    return T(2) * detail::arc_ratio(w);
+  }
+  static T log_curvature(const T& w) {
+    const T c = w < T(0) ? T(-w) : T(w);
+    return detail::curvature(c, detail::arc_ratio(c));
+  }
+};
+
+/// The entire function c_k(x) = sum_i (-x)^i / (k + 2 i)!, x >= 0:  c_0 = cos sqrt(x), c_1 =
+/// sin sqrt(x) / sqrt(x), c_2 = (1 - cos sqrt(x)) / x, ...  The series up to where its second term
+/// is half the first, above it c_k = (1 / (k - 2)! - c_(k-2)) / x.
+template <int k, class T>
+inline T stumpff(const T& x) {
+  return Rotations<T>::template stumpff<k>(x);
+}
+
+/// The rotation vector of a unit quaternion is this function of its real part w times its imaginary
+/// part: 2 sign(w) acos(|w|) / sqrt(1 - w^2), with sign(0) = 1.  Its length is at most pi.
+template <class T>
+inline T quaternion_log(const T& w) {
+  return Rotations<T>::quaternion_log(w);
+}
+
+/// b of V^-1(phi) = 1 - [phi] / 2 + b [phi]^2 where |w| = cos(|phi| / 2):
+///   b = (1 - h cot h) / (4 h^2),  h = acos(|w|),  1/12 at |w| = 1.
+template <class T>
+inline T log_curvature(const T& w) {
+  return Rotations<T>::log_curvature(w);
+}
+
 /// Fills n values with not-a-number: the result of a computation that failed.
 template <class T>
 inline void fill_nan(T* values, int n) {
   for (int i = 0; i < n; ++i) values[i] = T(std::numeric_limits<double>::quiet_NaN());
+}
+
+/// How functions report values that must be positive and are not; packs specialise it.
+template <class T>
+struct Checked {
+  using Status = int;
+
+  /// 0, or 1 + the index of the first of n values that is not positive.
+  static Status positive(const T* values, int n) noexcept {
+    return positive_of(n, [values](int i) -> const T& { return values[i]; });
+  }
+  template <class Value>
+  static Status positive_of(int n, const Value& value) noexcept {
+    for (int i = 0; i < n; ++i)
+      if (!(value(i) > T(0))) return 1 + i;
+    return 0;
+  }
+
+  /// Not-a-number in all n values of a computation that failed.
+  static void fill_nan(Status status, T* values, int n) noexcept {
+    if (status != 0) arboc::fill_nan(values, n);
+  }
+};
+
+/// What a checked function returns: 0, or 1 + an index; of packs that in each lane.
+template <class T>
+using status_t = typename Checked<T>::Status;
+
+template <class T>
+inline status_t<T> check_positive(const T* values, int n) noexcept {
+  return Checked<T>::positive(values, n);
+}
+template <class T>
+inline void fill_nan(const status_t<T>& status, T* values, int n) noexcept {
+  Checked<T>::fill_nan(status, values, n);
 }
 
 }  // namespace v1
