@@ -77,7 +77,9 @@ TEST(CliStatus, UsageErrorsExitWith1) {
        "--output: gravity has no output 'tau' (known are 'g')"},
       {{"check", kUr5, "--states", "0"}, "--states"},
       {{"bench", kUr5, "--functions", "dynamics,rnae"},
-       "--functions: there is no function 'rnae' (did you mean 'rnea'?)"}};
+       "--functions: there is no function 'rnae' (did you mean 'rnea'?)"},
+      {{"bench", kUr5, "--lanes", "8,3"},
+       "--lanes: expected 2, 4, 8 or 16, with f of floats, not 3"}};
   for (const Wrong& wrong : cases) {
     SCOPED_TRACE(wrong.message);
     const Outcome outcome = run_arboc(wrong.arguments);
@@ -271,6 +273,21 @@ TEST(CliStatus, JsonStandsAloneOnStandardOutput) {
   EXPECT_EQ(rows[0]["function"], "gravity");
   EXPECT_NEAR(rows[0]["ratio"].get<double>(),
               rows[0]["generic_ns"].get<double>() / rows[0]["generated_ns"].get<double>(), 1e-9);
+}
+
+TEST(CliStatus, BenchInLanesIsJson) {
+  const Outcome bench = run_arboc({"bench", kUr5, "--functions", "gravity", "--json", "--lanes",
+                                   "2,8f", "--cxxflags", "-std=c++17 -O1"});
+  EXPECT_EQ(bench.status, 0) << bench.err;
+  const auto rows = nlohmann::json::parse(bench.out, nullptr, false);
+  ASSERT_EQ(rows.size(), 1u) << bench.out;
+  const auto& lanes = rows[0]["lanes"];
+  ASSERT_EQ(lanes.size(), 2u) << bench.out;
+  EXPECT_EQ(lanes[0]["lanes"], 2);
+  EXPECT_EQ(lanes[1]["scalar"], "float");
+  EXPECT_NEAR(lanes[0]["ratio_to_scalar"].get<double>(),
+              rows[0]["scalar_ns"].get<double>() / lanes[0]["ns"].get<double>(), 1e-9);
+  EXPECT_LE(lanes[0]["difference"].get<double>(), 1e-13);
 }
 
 TEST(CliStatus, EachStagePrints) {
