@@ -9,6 +9,7 @@
 
 #include "base/diagnostic.h"
 #include "cli/bench.h"
+#include "cli/bench_compile.h"
 #include "cli/common.h"
 #include "cli/help.h"
 #include "emit/emit.h"
@@ -23,6 +24,7 @@ struct Arguments {
   EvalOptions eval;
   int states = 100;
   bool in_lanes = false;
+  bool compiling = false;
   std::string lanes;
 };
 
@@ -115,6 +117,8 @@ void add_bench(CLI::App& app, Arguments& args) {
   add_model_options(*sub, args.common);
   add_function_option(*sub, args.common);
   sub->add_flag("--json", args.common.json, "as JSON");
+  sub->add_flag("--compile", args.compiling,
+                "what the C++ compiler needs for each function: CPU time, memory, size");
   sub->add_option(
          "--lanes", args.lanes,
          "time one state a call against packs of N states, of floats with f (default: 4,8)")
@@ -130,6 +134,7 @@ int dispatch(const CLI::App& app, const Arguments& args) {
   if (app.got_subcommand("inspect")) return run_inspect(args.common, args.ops);
   if (app.got_subcommand("eval")) return run_eval(args.common, args.eval);
   if (app.got_subcommand("check")) return run_check(args.common, args.states);
+  if (args.compiling) return run_bench_compile(args.common);
   if (args.in_lanes) return run_bench_lanes(args.common, args.lanes);
   return run_bench(args.common);
 }

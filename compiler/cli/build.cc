@@ -113,7 +113,8 @@ struct ProgressLine {
   ~ProgressLine() { progress_done(); }
 };
 
-/// The compiler and its flags.
+}  // namespace
+
 std::vector<std::string> compiler_command(const Common& common) {
   const char* variable = std::getenv("CXX");
   std::vector<std::string> command = words(!common.cxx.empty()     ? common.cxx
@@ -134,8 +135,6 @@ void write_sources(const std::string& folder, const Files& files) {
       throw OutputError(fmt::format("{}: error: cannot write", printable(file.string())));
   }
 }
-
-}  // namespace
 
 Library::Library(const std::string& path) : handle_(dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) {
   if (!handle_) throw std::runtime_error(fmt::format("cannot load {}: {}", path, dlerror()));

@@ -22,6 +22,12 @@ class Library {
   void* handle_ = nullptr;
 };
 
+/// The C++ compiler of the options and its flags, for position-independent code.
+std::vector<std::string> compiler_command(const Common& common);
+
+/// Writes `files` to `folder`.  Throws OutputError.
+void write_sources(const std::string& folder, const Files& files);
+
 /// Writes `files` to `folder`, compiles `sources` (relative to it) as many at a time as there are
 /// processors, and links them into folder/lib.so.  `-I folder` is given.  Throws
 /// std::runtime_error with the compiler's output.
