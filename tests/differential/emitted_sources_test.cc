@@ -106,7 +106,8 @@ TEST_P(EmittedSources, OfAllModelsCompileWithoutWarnings) {
 TEST_P(EmittedSources, EachHeaderStandsAlone) {
   const TempDir folder;
   ASSERT_NO_FATAL_FAILURE(emit(folder, "ur5", {"--functions", "rnea,crba"}));
-  for (const char* header : {"ur5.hpp", "ur5_raw.hpp", "ur5_rnea.hpp", "ur5_crba.hpp"}) {
+  for (const char* header :
+       {"ur5.hpp", "ur5_raw.hpp", "ur5_batch.hpp", "ur5_rnea.hpp", "ur5_crba.hpp"}) {
     write_text(folder / "alone.cpp",
                std::string("#include <ur5/") + header + ">\n#include <ur5/" + header + ">\n");
     expect_clean(GetParam(), folder, folder / "alone.cpp");
