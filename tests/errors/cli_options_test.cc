@@ -216,6 +216,24 @@ TEST(CliOptions, SimplificationsCanBeLeftOut) {
       << wrong.err;
 }
 
+TEST(CliOptions, BenchSaysWhatCompilingCosts) {
+  const Outcome outcome = run_arboc({"bench", kModel, "--compile", "--functions", "rnea,crba"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  std::istringstream table(outcome.out);
+  std::string line, function;
+  std::getline(table, line);
+  int rows = 0;
+  for (double operations, seconds, each, memory, size;
+       table >> function >> operations >> seconds >> each >> memory >> size; ++rows) {
+    EXPECT_GT(operations, 0);
+    EXPECT_GT(seconds, 0);
+    EXPECT_GT(memory, 1);
+    EXPECT_GT(size, 0.1);
+  }
+  EXPECT_EQ(rows, 2);
+  EXPECT_EQ(run_arboc({"bench", kModel, "--compile", "--cxx", "no-such-compiler"}).status, 4);
+}
+
 TEST(CliOptions, InspectShowsParameters) {
   const Outcome outcome = run_arboc({"inspect", kModel, "--parameters", "masses:lower_rod"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
