@@ -117,12 +117,18 @@ class Function {
     int block = -1;
     std::string out = statements(program_, program_.prologue, block);
     const size_t n = program_.angles.size();
-    out += fmt::format("  const T angle[{}] = {{", n);
-    for (size_t k = 0; k < n; ++k) out += (k ? ", " : "") + text(program_, program_.angles[k]);
+    if (n == 1)
+      return out +
+             fmt::format("  sincos(T({}), w[0], w[1]);\n", text(program_, program_.angles[0]));
+    std::string groups;
+    for (size_t k = 0; k < n; ++k)
+      groups += (k % 4 ? ", " : k ? "},\n      {" : "{") + text(program_, program_.angles[k]);
+    const size_t count = (n + 3) / 4;
     return out +
            fmt::format(
-               "}};\n  for (int k = 0; k < {}; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);\n",
-               n);
+               "  const arboc::Angles<T> angle[{0}] = {{\n      {1}}}}};\n"
+               "  for (int k = 0; k < {0}; ++k) angle[k].sincos_to(w + 4 * k, w + {2} + 4 * k);\n",
+               count, groups, program_.angle_stride);
   }
 
   std::string body(const std::string& calls) {

@@ -4,7 +4,7 @@
 // body by body and is already local.  Every ~250 operations a new chunk begins: a function of its
 // own, so that compilers take linear time and keep their registers; a value that a later chunk
 // reads goes through a slot of the work array w.  Sines and cosines of angles known from the start
-// come first, in one loop: w[2 k] and w[2 k + 1] are those of angle k.
+// come first, four at a time: w[k] and w[angle_stride + k] are those of angle k.
 #pragma once
 #include <string>
 #include <vector>
@@ -63,7 +63,8 @@ struct Program {
   std::vector<Port> inputs, outputs;
   std::vector<std::string> blocks;
   Chunk prologue;               ///< what the angles need, from inputs only
-  std::vector<Operand> angles;  ///< sine and cosine of each go to w[2 k], w[2 k + 1]
+  std::vector<Operand> angles;  ///< sine and cosine of each go to w[k], w[angle_stride + k]
+  int angle_stride = 0;         ///< as many as there are angles; if several, a multiple of four
   std::vector<Chunk> chunks;
   std::vector<Store> stores;  ///< outputs that are inputs, constants or sines themselves
   int slots = 0;              ///< size of w

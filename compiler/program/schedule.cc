@@ -39,7 +39,9 @@ class Scheduler {
     find_angles();
     cut();
     find_last_uses();
-    out_.slots = 2 * static_cast<int>(angle_node_.size());
+    const int angles = static_cast<int>(angle_node_.size());
+    out_.angle_stride = angles < 2 ? angles : (angles + 3) / 4 * 4;
+    out_.slots = 2 * out_.angle_stride;
     collect_stores();
     for (const std::uint32_t n : prologue_)
       out_.prologue.statements.push_back(statement(n, kPrologue));
@@ -141,7 +143,7 @@ class Scheduler {
         x.index -= in_.inputs[static_cast<size_t>(x.port++)].size;
     } else if (is_early_trig(ref.node())) {
       x.place = Operand::Place::kSlot;
-      x.index = 2 * angle_[node.a.node()] + (node.op == Op::kCos ? 1 : 0);
+      x.index = angle_[node.a.node()] + (node.op == Op::kCos ? out_.angle_stride : 0);
     } else if (chunk_of_[ref.node()] == chunk) {
       x.place = Operand::Place::kLocal;
       x.index = static_cast<int>(ref.node());

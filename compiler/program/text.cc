@@ -71,8 +71,9 @@ std::string print(const Program& program) {
   };
   print_chunk(program.prologue);
   for (size_t k = 0; k < program.angles.size(); ++k)
-    out += fmt::format("w[{}], w[{}] = sincos({})\n", 2 * k, 2 * k + 1,
-                       text(program, program.angles[k]));
+    out +=
+        fmt::format("w[{}], w[{}] = sincos({})\n", k, k + static_cast<size_t>(program.angle_stride),
+                    text(program, program.angles[k]));
   for (size_t c = 0; c < program.chunks.size(); ++c) {
     out += fmt::format("chunk {}\n", c);
     print_chunk(program.chunks[c]);

@@ -6,7 +6,7 @@
 
 /// gcc at -O2 calls some of these functions; vectors then pass through memory, written as three
 /// numbers and read back as a pair and one, and each time the processor waits for the store.
-#define ARBOC_INLINE __attribute__((always_inline)) inline
+#define ARBOC_INLINE inline __attribute__((always_inline))
 /// What most bodies do not have stays out of the way of what all have.
 #define ARBOC_COLD __attribute__((noinline, cold))
 

@@ -1,7 +1,7 @@
 @banner@
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace @name@ {
 namespace raw {

@@ -19,8 +19,8 @@ class Interpreter {
     run(program_.prologue);
     for (size_t k = 0; k < program_.angles.size(); ++k) {
       const double angle = value(program_.angles[k]);
-      slots_.at(2 * k) = std::sin(angle);
-      slots_.at(2 * k + 1) = std::cos(angle);
+      slots_.at(k) = std::sin(angle);
+      slots_.at(static_cast<size_t>(program_.angle_stride) + k) = std::cos(angle);
     }
     for (const Chunk& chunk : program_.chunks) {
       locals_.clear();

@@ -16,15 +16,15 @@ TEST(Schedule, SinesOfInputsComeFirst) {
       schedule(region("in q 2\n# one\nx2 = sin(q0)\nx3 = cos(q0)\nx4 = sin(q1)\nx5 = x2 * x4\n"
                       "x6 = sum(x5, x3*q1)\nout y 2: x6 -x4\n"));
   EXPECT_EQ(print(program),
-            "program f: 4 slots, 2 operations, 2 sincos\n"
-            "w[0], w[1] = sincos(q[0])\n"
-            "w[2], w[3] = sincos(q[1])\n"
+            "program f: 8 slots, 2 operations, 2 sincos\n"
+            "w[0], w[4] = sincos(q[0])\n"
+            "w[1], w[5] = sincos(q[1])\n"
             "chunk 0\n"
             "# one\n"
-            "x5 = w[0] * w[2]\n"
-            "x6 = x5 + w[1] * q[1]\n"
+            "x5 = w[0] * w[1]\n"
+            "x6 = x5 + w[4] * q[1]\n"
             "y[0] = x6\n"
-            "y[1] = -w[2]\n");
+            "y[1] = -w[1]\n");
 }
 
 TEST(Schedule, AnglesMayNeedAPrologue) {
