@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace double_pendulum {
 namespace raw {
@@ -15,8 +15,9 @@ using std::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {
-  const T angle[2] = {q[0], q[1]};
-  for (int k = 0; k < 2; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);
+  const arboc::Angles<T> angle[1] = {
+      {q[0], q[1]}};
+  for (int k = 0; k < 1; ++k) angle[k].sincos_to(w + 4 * k, w + 4 + 4 * k);
 }
 
 template <class T>
@@ -24,22 +25,22 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau
   // upper_rod, motion
   const T x12 = T(9.81) * w[0];
   // lower_rod, motion
-  const T x14 = v[0] * v[0] + T(9.81) * w[1];
-  const T x15 = w[3] * x12 + w[2] * x14;
+  const T x14 = v[0] * v[0] + T(9.81) * w[4];
+  const T x15 = w[5] * x12 + w[1] * x14;
   const T x16 = v[0] + v[1];
   const T x17 = x16 * x16;
   const T x19 = T(0.15) * x17;
   // upper_rod, force
   const T x20 = tau[1] - T(0.15) * x15;
   // lower_rod, column
-  const T x22 = T(0.050015000000000004) + T(0.15) * w[3];
+  const T x22 = T(0.050015000000000004) + T(0.15) * w[5];
   // lower_rod, factor
   const T x25 = T(19.99400179946016) * x22;
-  const T x27 = T(1.0500450000000001) + T(0.3) * w[3] - x22 * x25;
+  const T x27 = T(1.0500450000000001) + T(0.3) * w[5] - x22 * x25;
   pivot[0] = x27;
   // upper_rod, factor
   const T x28 = T(1.0) / x27;
-  const T x29 = tau[0] - T(11.772) * w[0] + w[2] * x19 - T(0.15) * x15 - x20 * x25;
+  const T x29 = tau[0] - T(11.772) * w[0] + w[1] * x19 - T(0.15) * x15 - x20 * x25;
   const T x30 = x28 * x29;
   qdd[0] = x30;
   const T x31 = T(19.99400179946016) * x20 - x25 * x30;
@@ -57,7 +58,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau
 /// 8 mul, 1 add, 11 fma, 1 div, 0 sqrt, 2 sincos.
 template <class T>
 arboc::status_t<T> aba(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau, T* ARBOC_RESTRICT qdd) noexcept {
-  T w[4];
+  T w[8];
   T pivot[2];
   aba_parts::angles<T>(q, w);
   aba_parts::part0<T>(v, tau, qdd, pivot, w);

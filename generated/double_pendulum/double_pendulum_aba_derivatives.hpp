@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace double_pendulum {
 namespace raw {
@@ -15,49 +15,50 @@ using std::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {
-  const T angle[2] = {q[0], q[1]};
-  for (int k = 0; k < 2; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);
+  const arboc::Angles<T> angle[1] = {
+      {q[0], q[1]}};
+  for (int k = 0; k < 1; ++k) angle[k].sincos_to(w + 4 * k, w + 4 + 4 * k);
 }
 
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau, T* ARBOC_RESTRICT dqdd_dq, T* ARBOC_RESTRICT dqdd_dv, T* ARBOC_RESTRICT Minv, T* ARBOC_RESTRICT pivot, T* ARBOC_RESTRICT w) noexcept {
   // upper_rod, motion
-  const T x12 = T(9.81) * w[1];
+  const T x12 = T(9.81) * w[4];
   const T x13 = T(9.81) * w[0];
   // lower_rod, motion
   const T x16 = x12 + v[0] * v[0];
-  const T x17 = w[3] * x13 + w[2] * x16;
+  const T x17 = w[5] * x13 + w[1] * x16;
   const T x18 = v[0] + v[1];
   const T x19 = x18 * x18;
   const T x21 = T(0.15) * x19;
   // upper_rod, force
   const T x22 = tau[1] - T(0.15) * x17;
   // lower_rod, column
-  const T x23 = T(0.15) * w[2];
-  const T x24 = T(0.15) * w[3];
+  const T x23 = T(0.15) * w[1];
+  const T x24 = T(0.15) * w[5];
   const T x26 = T(0.050015000000000004) + x24;
   // lower_rod, composite
   const T x28 = T(1.2) + x24;
   // lower_rod, factor
   const T x31 = T(19.99400179946016) * x26;
-  const T x33 = T(1.0500450000000001) + T(0.3) * w[3] - x26 * x31;
+  const T x33 = T(1.0500450000000001) + T(0.3) * w[5] - x26 * x31;
   pivot[0] = x33;
   // upper_rod, factor
   const T x34 = T(1.0) / x33;
   Minv[0] = x34;
-  const T x35 = tau[0] - T(11.772) * w[0] + w[2] * x21 - T(0.15) * x17 - x22 * x31;
+  const T x35 = tau[0] - T(11.772) * w[0] + w[1] * x21 - T(0.15) * x17 - x22 * x31;
   const T x36 = x34 * x35;
   // upper_rod, motion
   const T x37 = T(2.0) * v[0];
   // lower_rod, motion
   const T x38 = x13 + x36;
-  const T x39 = w[3] * x16 - w[2] * x38;
+  const T x39 = w[5] * x16 - w[1] * x38;
   const T x40 = x36 + T(19.99400179946016) * x22 - x31 * x36;
   const T x41 = T(0.15) * x40;
   const T x42 = T(0.3) * x18;
   // lower_rod, column
   const T x43 = T(0.15) * x39;
-  const T x44 = w[2] * x42;
+  const T x44 = w[1] * x42;
   const T x45 = x23 * x37;
   const T x46 = x12 * x24 - x13 * x23;
   // upper_rod, solve
@@ -66,7 +67,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau
   dqdd_dq[0] = x48;
   const T x49 = -T(19.99400179946016) * x46 - x31 * x48;
   dqdd_dq[1] = x49;
-  const T x50 = x43 - w[3] * x21 - w[2] * x41 - x31 * x43;
+  const T x50 = x43 - w[5] * x21 - w[1] * x41 - x31 * x43;
   const T x52 = x34 * x50;
   dqdd_dq[2] = -x52;
   const T x53 = x31 * x52 - T(2.999100269919024) * x39;
@@ -100,7 +101,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau
 /// 27 mul, 5 add, 23 fma, 1 div, 0 sqrt, 2 sincos.
 template <class T>
 arboc::status_t<T> aba_derivatives(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau, T* ARBOC_RESTRICT dqdd_dq, T* ARBOC_RESTRICT dqdd_dv, T* ARBOC_RESTRICT Minv) noexcept {
-  T w[4];
+  T w[8];
   T pivot[2];
   aba_derivatives_parts::angles<T>(q, w);
   aba_derivatives_parts::part0<T>(v, tau, dqdd_dq, dqdd_dv, Minv, pivot, w);

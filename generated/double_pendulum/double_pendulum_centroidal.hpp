@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace double_pendulum {
 namespace raw {
@@ -15,8 +15,9 @@ using std::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {
-  const T angle[2] = {q[0], q[1]};
-  for (int k = 0; k < 2; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);
+  const arboc::Angles<T> angle[1] = {
+      {q[0], q[1]}};
+  for (int k = 0; k < 1; ++k) angle[k].sincos_to(w + 4 * k, w + 4 + 4 * k);
 }
 
 template <class T>
@@ -24,47 +25,47 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
   // upper_rod, motion
   const T x12 = v[0] * v[0];
   // lower_rod, motion
-  const T x15 = a[0] * w[2] - w[3] * x12;
-  const T x16 = w[2] * x12 + a[0] * w[3];
+  const T x15 = a[0] * w[1] - w[5] * x12;
+  const T x16 = w[1] * x12 + a[0] * w[5];
   const T x17 = v[0] + v[1];
   const T x18 = a[0] + a[1];
   const T x19 = x17 * x17;
   const T x24 = T(0.15) * x19 - T(0.6) * x15;
   const T x25 = T(0.15) * x18 + T(0.6) * x16;
   // lower_rod, composite
-  const T x26 = w[3] * x25 - w[2] * x24;
-  const T x27 = T(0.6) * x12 + w[2] * x25 + w[3] * x24;
+  const T x26 = w[5] * x25 - w[1] * x24;
+  const T x27 = T(0.6) * x12 + w[1] * x25 + w[5] * x24;
   const T x28 = x26 + T(0.6) * a[0];
-  const T x29 = T(0.15) * w[3];
-  const T x30 = T(0.15) * w[2];
-  const T x32 = T(0.049985) * w[2];
-  const T x33 = T(0.05) - w[2] * x32;
+  const T x29 = T(0.15) * w[5];
+  const T x30 = T(0.15) * w[1];
+  const T x32 = T(0.049985) * w[1];
+  const T x33 = T(0.05) - w[1] * x32;
   const T x35 = T(1.2) + x29;
-  const T x37 = T(1.0) + x33 + T(0.3) * w[3];
-  const T x39 = T(4.50000000000025e-05) + w[2] * x32;
-  const T x40 = w[1] * x30 + w[0] * x35;
+  const T x37 = T(1.0) + x33 + T(0.3) * w[5];
+  const T x39 = T(4.50000000000025e-05) + w[1] * x32;
+  const T x40 = w[4] * x30 + w[0] * x35;
   A_G[1] = x40;
-  const T x41 = w[0] * x30 - w[1] * x35;
+  const T x41 = w[0] * x30 - w[4] * x35;
   A_G[0] = x41;
   const T x43 = T(0.5555555555555556) * x40;
   const T x44 = T(0.5555555555555556) * x41;
   // upper_rod, momentum
   const T x45 = x39 + x37 - x40 * x43 - x41 * x44;
   A_G[2] = x45;
-  const T x46 = w[0] * x27 - w[1] * x28;
+  const T x46 = w[0] * x27 - w[4] * x28;
   dh[0] = x46;
-  const T x47 = w[1] * x27 + w[0] * x28;
+  const T x47 = w[4] * x27 + w[0] * x28;
   dh[2] = x47;
   const T x48 = x26 + T(0.40003) * a[0] + T(0.050015000000000004) * x18 + T(0.15) * x16 - x43 * x47 - x44 * x46;
   dh[4] = x48;
   // lower_rod, momentum
-  const T x49 = w[0] * x30 - w[1] * x29;
+  const T x49 = w[0] * x30 - w[4] * x29;
   A_G[3] = x49;
-  const T x50 = w[1] * x30 + w[0] * x29;
+  const T x50 = w[4] * x30 + w[0] * x29;
   A_G[4] = x50;
   const T x51 = w[0] - x43;
-  const T x52 = w[1] + x44;
-  const T x53 = T(1.5000000000000256e-05) + x33 + w[2] * x32 + x50 * x51 - x49 * x52;
+  const T x52 = w[4] + x44;
+  const T x53 = T(1.5000000000000256e-05) + x33 + w[1] * x32 + x50 * x51 - x49 * x52;
   A_G[5] = x53;
   const T x54 = v[1] * x49 + v[0] * x41;
   h[0] = x54;
@@ -86,7 +87,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
 /// 22 mul, 8 add, 30 fma, 0 div, 0 sqrt, 2 sincos.
 template <class T>
 void centroidal(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT h, T* ARBOC_RESTRICT A_G, T* ARBOC_RESTRICT dh) noexcept {
-  T w[4];
+  T w[8];
   centroidal_parts::angles<T>(q, w);
   centroidal_parts::part0<T>(v, a, h, A_G, dh, w);
   h[1] = T(0.0);

@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace double_pendulum {
 namespace raw {
@@ -15,26 +15,27 @@ using std::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {
-  const T angle[2] = {q[0], q[1]};
-  for (int k = 0; k < 2; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);
+  const arboc::Angles<T> angle[1] = {
+      {q[0], q[1]}};
+  for (int k = 0; k < 1; ++k) angle[k].sincos_to(w + 4 * k, w + 4 + 4 * k);
 }
 
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT c, T* ARBOC_RESTRICT vc, T* ARBOC_RESTRICT w) noexcept {
   // lower_rod, first moment
   const T x10 = T(0.08333333333333333) * v[1];
-  const T x11 = T(0.08333333333333333) * w[2];
-  const T x13 = T(0.6666666666666666) + T(0.08333333333333333) * w[3];
+  const T x11 = T(0.08333333333333333) * w[1];
+  const T x13 = T(0.6666666666666666) + T(0.08333333333333333) * w[5];
   // upper_rod, first moment
-  const T x14 = w[2] * x10 + v[0] * x11;
-  const T x15 = w[3] * x10 + v[0] * x13;
-  const T x16 = -w[1] * x11 - w[0] * x13;
+  const T x14 = w[1] * x10 + v[0] * x11;
+  const T x15 = w[5] * x10 + v[0] * x13;
+  const T x16 = -w[4] * x11 - w[0] * x13;
   c[0] = x16;
-  const T x17 = w[0] * x11 - w[1] * x13;
+  const T x17 = w[0] * x11 - w[4] * x13;
   c[2] = x17;
-  const T x18 = w[0] * x14 - w[1] * x15;
+  const T x18 = w[0] * x14 - w[4] * x15;
   vc[0] = x18;
-  const T x19 = w[1] * x14 + w[0] * x15;
+  const T x19 = w[4] * x14 + w[0] * x15;
   vc[2] = x19;
 }
 
@@ -48,7 +49,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT c, T* ARB
 /// 8 mul, 0 add, 7 fma, 0 div, 0 sqrt, 2 sincos.
 template <class T>
 void com(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT c, T* ARBOC_RESTRICT vc) noexcept {
-  T w[4];
+  T w[8];
   com_parts::angles<T>(q, w);
   com_parts::part0<T>(v, c, vc, w);
   c[1] = T(0.0);

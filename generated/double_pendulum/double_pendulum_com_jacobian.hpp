@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace double_pendulum {
 namespace raw {
@@ -15,24 +15,25 @@ using std::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {
-  const T angle[2] = {q[0], q[1]};
-  for (int k = 0; k < 2; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);
+  const arboc::Angles<T> angle[1] = {
+      {q[0], q[1]}};
+  for (int k = 0; k < 1; ++k) angle[k].sincos_to(w + 4 * k, w + 4 + 4 * k);
 }
 
 template <class T>
 ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT Jc, T* ARBOC_RESTRICT w) noexcept {
   // lower_rod, column
-  const T x7 = T(0.08333333333333333) * w[3];
-  const T x8 = T(0.08333333333333333) * w[2];
-  const T x9 = w[0] * x8 - w[1] * x7;
+  const T x7 = T(0.08333333333333333) * w[5];
+  const T x8 = T(0.08333333333333333) * w[1];
+  const T x9 = w[0] * x8 - w[4] * x7;
   Jc[2] = x9;
-  const T x10 = w[0] * x7 + w[1] * x8;
+  const T x10 = w[0] * x7 + w[4] * x8;
   Jc[3] = x10;
   const T x12 = T(0.6666666666666666) + x7;
   // upper_rod, column
-  const T x13 = w[1] * x8 + w[0] * x12;
+  const T x13 = w[4] * x8 + w[0] * x12;
   Jc[1] = x13;
-  const T x14 = w[0] * x8 - w[1] * x12;
+  const T x14 = w[0] * x8 - w[4] * x12;
   Jc[0] = x14;
 }
 
@@ -44,7 +45,7 @@ ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT Jc, T* ARBOC_RESTRICT w) noexcept {
 /// 6 mul, 1 add, 4 fma, 0 div, 0 sqrt, 2 sincos.
 template <class T>
 void com_jacobian(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT Jc) noexcept {
-  T w[4];
+  T w[8];
   com_jacobian_parts::angles<T>(q, w);
   com_jacobian_parts::part0<T>(Jc, w);
 }

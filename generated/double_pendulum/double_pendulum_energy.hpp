@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace double_pendulum {
 namespace raw {
@@ -15,8 +15,9 @@ using std::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {
-  const T angle[2] = {q[0], q[1]};
-  for (int k = 0; k < 2; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);
+  const arboc::Angles<T> angle[1] = {
+      {q[0], q[1]}};
+  for (int k = 0; k < 1; ++k) angle[k].sincos_to(w + 4 * k, w + 4 + 4 * k);
 }
 
 template <class T>
@@ -24,8 +25,8 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT T_, T* AR
   // upper_rod, motion
   const T x9 = T(0.200015) * v[0];
   // lower_rod, motion
-  const T x10 = v[0] * w[2];
-  const T x11 = v[0] * w[3];
+  const T x10 = v[0] * w[1];
+  const T x11 = v[0] * w[5];
   const T x12 = v[0] + v[1];
   const T x14 = T(0.025007500000000002) * x12;
   const T x17 = T(0.3) * x10;
@@ -33,10 +34,10 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT T_, T* AR
   const T x19 = v[0] * x9 + x12 * x14 + x10 * x17 + x11 * x18;
   T_[0] = x19;
   // lower_rod, first moment
-  const T x20 = T(0.15) * w[2];
-  const T x22 = T(1.2) + T(0.15) * w[3];
+  const T x20 = T(0.15) * w[1];
+  const T x22 = T(1.2) + T(0.15) * w[5];
   // upper_rod, first moment
-  const T x23 = w[0] * x20 - w[1] * x22;
+  const T x23 = w[0] * x20 - w[4] * x22;
   const T x25 = T(9.81) * x23;
   V[0] = x25;
 }
@@ -51,7 +52,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT T_, T* AR
 /// 10 mul, 1 add, 6 fma, 0 div, 0 sqrt, 2 sincos.
 template <class T>
 void energy(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT T_, T* ARBOC_RESTRICT V) noexcept {
-  T w[4];
+  T w[8];
   energy_parts::angles<T>(q, w);
   energy_parts::part0<T>(v, T_, V, w);
 }

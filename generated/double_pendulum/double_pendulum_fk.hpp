@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace double_pendulum {
 namespace raw {
@@ -15,17 +15,18 @@ using std::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {
-  const T angle[2] = {q[0], q[1]};
-  for (int k = 0; k < 2; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);
+  const arboc::Angles<T> angle[1] = {
+      {q[0], q[1]}};
+  for (int k = 0; k < 1; ++k) angle[k].sincos_to(w + 4 * k, w + 4 + 4 * k);
 }
 
 template <class T>
 ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT placements, T* ARBOC_RESTRICT w) noexcept {
   // lower_rod, placement
-  const T x8 = w[1] * w[2] + w[0] * w[3];
+  const T x8 = w[4] * w[1] + w[0] * w[5];
   placements[14] = x8;
   placements[18] = -x8;
-  const T x9 = w[1] * w[3] - w[0] * w[2];
+  const T x9 = w[4] * w[5] - w[0] * w[1];
   placements[12] = x9;
   placements[20] = x9;
 }
@@ -38,10 +39,10 @@ ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT placements, T* ARBOC_RESTRICT w) noe
 /// 2 mul, 0 add, 2 fma, 0 div, 0 sqrt, 2 sincos.
 template <class T>
 void fk(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT placements) noexcept {
-  T w[4];
+  T w[8];
   fk_parts::angles<T>(q, w);
   fk_parts::part0<T>(placements, w);
-  placements[0] = w[1];
+  placements[0] = w[4];
   placements[1] = T(0.0);
   placements[2] = w[0];
   placements[3] = T(0.0);
@@ -49,7 +50,7 @@ void fk(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT placements) noexcept {
   placements[5] = T(0.0);
   placements[6] = -w[0];
   placements[7] = T(0.0);
-  placements[8] = w[1];
+  placements[8] = w[4];
   placements[9] = T(0.0);
   placements[10] = T(0.0);
   placements[11] = T(0.0);
@@ -60,7 +61,7 @@ void fk(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT placements) noexcept {
   placements[19] = T(0.0);
   placements[21] = -w[0];
   placements[22] = T(0.0);
-  placements[23] = -w[1];
+  placements[23] = -w[4];
 }
 
 }  // namespace raw

@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace double_pendulum {
 namespace raw {
@@ -15,8 +15,7 @@ using std::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {
-  const T angle[1] = {q[1]};
-  for (int k = 0; k < 1; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);
+  sincos(T(q[1]), w[0], w[1]);
 }
 
 template <class T>

@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace double_pendulum {
 namespace raw {
@@ -15,22 +15,23 @@ using std::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {
-  const T angle[2] = {q[0], q[1]};
-  for (int k = 0; k < 2; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);
+  const arboc::Angles<T> angle[1] = {
+      {q[0], q[1]}};
+  for (int k = 0; k < 1; ++k) angle[k].sincos_to(w + 4 * k, w + 4 + 4 * k);
 }
 
 template <class T>
 ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT g, T* ARBOC_RESTRICT w) noexcept {
   // upper_rod, motion
-  const T x7 = T(9.81) * w[1];
+  const T x7 = T(9.81) * w[4];
   const T x8 = T(9.81) * w[0];
   // lower_rod, motion
-  const T x9 = w[2] * x7 + w[3] * x8;
+  const T x9 = w[1] * x7 + w[5] * x8;
   // lower_rod, force
   const T x11 = T(0.15) * x9;
   g[1] = x11;
-  const T x12 = T(0.15) * w[2];
-  const T x14 = T(1.2) + T(0.15) * w[3];
+  const T x12 = T(0.15) * w[1];
+  const T x14 = T(1.2) + T(0.15) * w[5];
   // upper_rod, force
   const T x15 = x7 * x12 + x8 * x14;
   g[0] = x15;
@@ -44,7 +45,7 @@ ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT g, T* ARBOC_RESTRICT w) noexcept {
 /// 6 mul, 0 add, 3 fma, 0 div, 0 sqrt, 2 sincos.
 template <class T>
 void gravity(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT g) noexcept {
-  T w[4];
+  T w[8];
   gravity_parts::angles<T>(q, w);
   gravity_parts::part0<T>(g, w);
 }

@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace double_pendulum {
 namespace raw {

@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace double_pendulum {
 namespace raw {
@@ -15,8 +15,9 @@ using std::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {
-  const T angle[2] = {q[0], q[1]};
-  for (int k = 0; k < 2; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);
+  const arboc::Angles<T> angle[1] = {
+      {q[0], q[1]}};
+  for (int k = 0; k < 1; ++k) angle[k].sincos_to(w + 4 * k, w + 4 + 4 * k);
 }
 
 template <class T>
@@ -24,15 +25,15 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT nle, T* A
   // upper_rod, motion
   const T x9 = T(9.81) * w[0];
   // lower_rod, motion
-  const T x11 = v[0] * v[0] + T(9.81) * w[1];
-  const T x12 = w[3] * x9 + w[2] * x11;
+  const T x11 = v[0] * v[0] + T(9.81) * w[4];
+  const T x12 = w[5] * x9 + w[1] * x11;
   const T x13 = v[0] + v[1];
   const T x14 = x13 * x13;
   const T x16 = T(0.15) * x14;
   const T x17 = T(0.15) * x12;
   nle[1] = x17;
   // lower_rod, force
-  const T x18 = x17 + T(11.772) * w[0] - w[2] * x16;
+  const T x18 = x17 + T(11.772) * w[0] - w[1] * x16;
   nle[0] = x18;
 }
 
@@ -45,7 +46,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT nle, T* A
 /// 6 mul, 1 add, 4 fma, 0 div, 0 sqrt, 2 sincos.
 template <class T>
 void nle(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT nle) noexcept {
-  T w[4];
+  T w[8];
   nle_parts::angles<T>(q, w);
   nle_parts::part0<T>(v, nle, w);
 }

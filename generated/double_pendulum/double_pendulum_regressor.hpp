@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace double_pendulum {
 namespace raw {
@@ -15,34 +15,35 @@ using std::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {
-  const T angle[2] = {q[0], q[1]};
-  for (int k = 0; k < 2; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);
+  const arboc::Angles<T> angle[1] = {
+      {q[0], q[1]}};
+  for (int k = 0; k < 1; ++k) angle[k].sincos_to(w + 4 * k, w + 4 + 4 * k);
 }
 
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT Y, T* ARBOC_RESTRICT w) noexcept {
   // upper_rod, regressor
-  const T x11 = T(9.81) * w[1];
+  const T x11 = T(9.81) * w[4];
   Y[0] = -x11;
   const T x12 = T(9.81) * w[0];
   Y[1] = -x12;
   // lower_rod, regressor
   const T x13 = x11 + v[0] * v[0];
   const T x14 = a[0] + x12;
-  const T x15 = w[2] * x14 - w[3] * x13;
+  const T x15 = w[1] * x14 - w[5] * x13;
   Y[5] = x15;
-  const T x16 = -w[2] * x13 - w[3] * x14;
+  const T x16 = -w[1] * x13 - w[5] * x14;
   Y[7] = x16;
   const T x17 = v[0] + v[1];
   const T x18 = a[0] + a[1];
   Y[8] = x18;
   Y[9] = x18;
   const T x19 = x17 * x17;
-  const T x20 = x15 + w[2] * x18 + w[3] * x19;
+  const T x20 = x15 + w[1] * x18 + w[5] * x19;
   Y[4] = x20;
-  const T x21 = x16 - w[3] * x18 + w[2] * x19;
+  const T x21 = x16 - w[5] * x18 + w[1] * x19;
   Y[6] = x21;
-  const T x22 = w[2] * x15 - w[3] * x16;
+  const T x22 = w[1] * x15 - w[5] * x16;
   Y[3] = x22;
 }
 
@@ -56,7 +57,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
 /// 6 mul, 3 add, 8 fma, 0 div, 0 sqrt, 2 sincos.
 template <class T>
 void regressor(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT Y) noexcept {
-  T w[4];
+  T w[8];
   regressor_parts::angles<T>(q, w);
   regressor_parts::part0<T>(v, a, Y, w);
   Y[2] = a[0];

@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace double_pendulum {
 namespace raw {
@@ -15,16 +15,17 @@ using std::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {
-  const T angle[2] = {q[0], q[1]};
-  for (int k = 0; k < 2; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);
+  const arboc::Angles<T> angle[1] = {
+      {q[0], q[1]}};
+  for (int k = 0; k < 1; ++k) angle[k].sincos_to(w + 4 * k, w + 4 + 4 * k);
 }
 
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT tau, T* ARBOC_RESTRICT w) noexcept {
   // lower_rod, motion
-  const T x13 = v[0] * v[0] + T(9.81) * w[1];
+  const T x13 = v[0] * v[0] + T(9.81) * w[4];
   const T x14 = a[0] + T(9.81) * w[0];
-  const T x15 = w[2] * x13 + w[3] * x14;
+  const T x15 = w[1] * x13 + w[5] * x14;
   const T x16 = v[0] + v[1];
   const T x17 = a[0] + a[1];
   const T x18 = x16 * x16;
@@ -33,7 +34,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
   const T x23 = T(0.050015000000000004) * x17 + T(0.15) * x15;
   tau[1] = x23;
   // lower_rod, force
-  const T x24 = x23 + T(1.00003) * a[0] + T(11.772) * w[0] + w[3] * x22 - w[2] * x21;
+  const T x24 = x23 + T(1.00003) * a[0] + T(11.772) * w[0] + w[5] * x22 - w[1] * x21;
   tau[0] = x24;
 }
 
@@ -47,7 +48,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
 /// 6 mul, 2 add, 8 fma, 0 div, 0 sqrt, 2 sincos.
 template <class T>
 void rnea(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT tau) noexcept {
-  T w[4];
+  T w[8];
   rnea_parts::angles<T>(q, w);
   rnea_parts::part0<T>(v, a, tau, w);
 }

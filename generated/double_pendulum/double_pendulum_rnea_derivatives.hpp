@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace double_pendulum {
 namespace raw {
@@ -15,20 +15,21 @@ using std::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {
-  const T angle[2] = {q[0], q[1]};
-  for (int k = 0; k < 2; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);
+  const arboc::Angles<T> angle[1] = {
+      {q[0], q[1]}};
+  for (int k = 0; k < 1; ++k) angle[k].sincos_to(w + 4 * k, w + 4 + 4 * k);
 }
 
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT dtau_dq, T* ARBOC_RESTRICT dtau_dv, T* ARBOC_RESTRICT M, T* ARBOC_RESTRICT w) noexcept {
   // upper_rod, motion
-  const T x11 = T(9.81) * w[1];
+  const T x11 = T(9.81) * w[4];
   const T x12 = T(9.81) * w[0];
   const T x15 = T(2.0) * v[0];
   // lower_rod, motion
   const T x16 = x11 + v[0] * v[0];
   const T x17 = a[0] + x12;
-  const T x18 = w[2] * x17 - w[3] * x16;
+  const T x18 = w[1] * x17 - w[5] * x16;
   const T x19 = v[0] + v[1];
   const T x20 = a[0] + a[1];
   const T x21 = x19 * x19;
@@ -38,12 +39,12 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
   // lower_rod, column
   const T x28 = T(0.15) * x18;
   dtau_dq[3] = -x28;
-  const T x29 = -x28 - w[2] * x25 - w[3] * x24;
+  const T x29 = -x28 - w[1] * x25 - w[5] * x24;
   dtau_dq[2] = x29;
-  const T x30 = w[2] * x27;
+  const T x30 = w[1] * x27;
   dtau_dv[2] = -x30;
-  const T x31 = T(0.15) * w[2];
-  const T x32 = T(0.15) * w[3];
+  const T x31 = T(0.15) * w[1];
+  const T x32 = T(0.15) * w[5];
   const T x33 = T(0.050015000000000004) + x32;
   M[1] = x33;
   const T x34 = x15 * x31;
@@ -57,7 +58,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
   dtau_dv[0] = x37;
   const T x38 = x11 * x36 - x12 * x31;
   dtau_dq[0] = x38;
-  const T x40 = T(1.0500450000000001) + T(0.3) * w[3];
+  const T x40 = T(1.0500450000000001) + T(0.3) * w[5];
   M[0] = x40;
 }
 
@@ -73,7 +74,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
 /// 15 mul, 6 add, 7 fma, 0 div, 0 sqrt, 2 sincos.
 template <class T>
 void rnea_derivatives(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT dtau_dq, T* ARBOC_RESTRICT dtau_dv, T* ARBOC_RESTRICT M) noexcept {
-  T w[4];
+  T w[8];
   rnea_derivatives_parts::angles<T>(q, w);
   rnea_derivatives_parts::part0<T>(v, a, dtau_dq, dtau_dv, M, w);
   M[2] = T(0.050015000000000004);

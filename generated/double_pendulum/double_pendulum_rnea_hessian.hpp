@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace double_pendulum {
 namespace raw {
@@ -15,14 +15,15 @@ using std::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {
-  const T angle[2] = {q[0], q[1]};
-  for (int k = 0; k < 2; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);
+  const arboc::Angles<T> angle[1] = {
+      {q[0], q[1]}};
+  for (int k = 0; k < 1; ++k) angle[k].sincos_to(w + 4 * k, w + 4 + 4 * k);
 }
 
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, const T* ARBOC_RESTRICT lambda, T* ARBOC_RESTRICT H_qq, T* ARBOC_RESTRICT H_qv, T* ARBOC_RESTRICT H_vv, T* ARBOC_RESTRICT H_qa, T* ARBOC_RESTRICT w) noexcept {
   // upper_rod, motion
-  const T x13 = T(9.81) * w[1];
+  const T x13 = T(9.81) * w[4];
   const T x14 = T(9.81) * w[0];
   // lower_rod, motion
   const T x16 = x13 + v[0] * v[0];
@@ -36,16 +37,16 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
   const T x25 = T(2.0) * v[0];
   // lower_rod, force, adjoint
   const T x26 = lambda[0] + lambda[1];
-  const T x27 = lambda[0] * w[2];
-  const T x28 = lambda[0] * w[3];
+  const T x27 = lambda[0] * w[1];
+  const T x28 = lambda[0] * w[5];
   // lower_rod, motion, adjoint
   const T x29 = T(0.15) * x26;
   const T x30 = T(0.15) * x27;
   H_qa[1] = -x30;
   const T x31 = lambda[0] * x23 + x17 * x29;
-  const T x32 = w[3] * x29;
+  const T x32 = w[5] * x29;
   const T x33 = lambda[0] * x22 - x16 * x29;
-  const T x34 = w[2] * x29;
+  const T x34 = w[1] * x29;
   // upper_rod, motion, adjoint
   const T x35 = T(11.772) * lambda[0];
   // derivative by q1
@@ -58,7 +59,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
   H_qv[0] = x40;
   const T x41 = -x13 * x34 - x14 * x32;
   H_qq[1] = x41;
-  const T x42 = w[2] * x33 - w[3] * x31;
+  const T x42 = w[1] * x33 - w[5] * x31;
   H_qq[2] = x42;
   // derivative by v0
   const T x43 = T(0.3) * x27;
@@ -85,7 +86,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
 /// 20 mul, 5 add, 8 fma, 0 div, 0 sqrt, 2 sincos.
 template <class T>
 void rnea_hessian(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, const T* ARBOC_RESTRICT lambda, T* ARBOC_RESTRICT H_qq, T* ARBOC_RESTRICT H_qv, T* ARBOC_RESTRICT H_vv, T* ARBOC_RESTRICT H_qa) noexcept {
-  T w[4];
+  T w[8];
   rnea_hessian_parts::angles<T>(q, w);
   rnea_hessian_parts::part0<T>(v, a, lambda, H_qq, H_qv, H_vv, H_qa, w);
 }

@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace ur5 {
 namespace raw {
@@ -15,104 +15,105 @@ using std::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {
-  const T angle[4] = {q[1], q[2], q[3], q[4]};
-  for (int k = 0; k < 4; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);
+  const arboc::Angles<T> angle[1] = {
+      {q[1], q[2], q[3], q[4]}};
+  for (int k = 0; k < 1; ++k) angle[k].sincos_to(w + 4 * k, w + 4 + 4 * k);
 }
 
 template <class T>
 ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT M, T* ARBOC_RESTRICT w) noexcept {
   // wrist_3_link, column
-  const T x15 = T(0.000132117) * w[6];
+  const T x15 = T(0.000132117) * w[3];
   const T x16 = T(0.000132117) * w[7];
   M[16] = x16;
   M[17] = x16;
   M[18] = x16;
-  const T x17 = w[5] * x15;
-  const T x18 = w[4] * x15;
-  const T x19 = w[2] * x18 - w[3] * x17;
-  const T x20 = w[3] * x18 + w[2] * x17;
-  const T x21 = w[0] * x19 - w[1] * x20;
+  const T x17 = w[6] * x15;
+  const T x18 = w[2] * x15;
+  const T x19 = w[1] * x18 - w[5] * x17;
+  const T x20 = w[5] * x18 + w[1] * x17;
+  const T x21 = w[0] * x19 - w[4] * x20;
   M[15] = x21;
   // wrist_2_link, column
   const T x23 = T(0.0351648539) * w[7];
-  const T x24 = T(0.0351648539) * w[6];
-  const T x27 = T(0.0032925001936350007) * w[6];
+  const T x24 = T(0.0351648539) * w[3];
+  const T x27 = T(0.0032925001936350007) * w[3];
   const T x28 = T(0.0032925001936350007) * w[7];
   M[13] = -x28;
   const T x30 = T(0.0024998353838399006) + T(0.003838243803185) * w[7];
-  const T x31 = w[5] * x23;
-  const T x32 = w[4] * x23;
-  const T x35 = w[5] * x27 + w[4] * x30;
-  const T x36 = T(0.013793413942275) * w[6] - w[4] * x27 + w[5] * x30;
+  const T x31 = w[6] * x23;
+  const T x32 = w[2] * x23;
+  const T x35 = w[6] * x27 + w[2] * x30;
+  const T x36 = T(0.013793413942275) * w[3] - w[2] * x27 + w[6] * x30;
   const T x37 = T(0.39225) * x32 - x28;
   M[12] = x37;
-  const T x38 = w[3] * x32 + w[2] * x31;
-  const T x41 = w[2] * x36 + w[3] * x35;
-  const T x42 = T(0.0149450629075) * w[6] + w[3] * x36 - w[2] * x35;
+  const T x38 = w[5] * x32 + w[1] * x31;
+  const T x41 = w[1] * x36 + w[5] * x35;
+  const T x42 = T(0.0149450629075) * w[3] + w[5] * x36 - w[1] * x35;
   const T x43 = x37 + T(0.425) * x38;
   M[11] = x43;
-  const T x44 = w[0] * x41 - w[1] * x42;
+  const T x44 = w[0] * x41 - w[4] * x42;
   M[10] = x44;
   // wrist_2_link, composite
-  const T x46 = T(0.0015106093838399004) * w[6];
-  const T x48 = w[6] * x46 - T(0.0020052223838399005);
-  const T x50 = T(0.006585000387270001) * w[6];
-  const T x52 = T(0.003838243803185) * w[6] + w[7] * x46;
-  const T x54 = T(0.0009231675000000002) + w[6] * x46;
-  const T x56 = x48 - T(0.0120231672478101) - w[6] * x46;
+  const T x46 = T(0.0015106093838399004) * w[3];
+  const T x48 = w[3] * x46 - T(0.0020052223838399005);
+  const T x50 = T(0.006585000387270001) * w[3];
+  const T x52 = T(0.003838243803185) * w[3] + w[7] * x46;
+  const T x54 = T(0.0009231675000000002) + w[3] * x46;
+  const T x56 = x48 - T(0.0120231672478101) - w[3] * x46;
   const T x58 = T(0.01643350047875) + x28;
   // wrist_1_link, column
   const T x59 = x54 - x56;
   M[9] = x59;
-  const T x61 = T(0.150887345) * w[5] + w[4] * x24;
-  const T x62 = w[5] * x24 - T(0.150887345) * w[4];
-  const T x63 = w[4] * x58 - w[5] * x52;
-  const T x64 = w[5] * x58 + w[4] * x52;
+  const T x61 = T(0.150887345) * w[6] + w[2] * x24;
+  const T x62 = w[6] * x24 - T(0.150887345) * w[2];
+  const T x63 = w[2] * x58 - w[6] * x52;
+  const T x64 = w[6] * x58 + w[2] * x52;
   const T x65 = x59 + T(0.39225) * x62;
   M[8] = x65;
-  const T x66 = w[3] * x62 - w[2] * x61;
-  const T x67 = w[2] * x64 + w[3] * x63;
-  const T x68 = w[3] * x64 - w[2] * x63;
+  const T x66 = w[5] * x62 - w[1] * x61;
+  const T x67 = w[1] * x64 + w[5] * x63;
+  const T x68 = w[5] * x64 - w[1] * x63;
   const T x69 = x65 + T(0.425) * x66;
   M[7] = x69;
-  const T x70 = w[1] * x68 - w[0] * x67;
+  const T x70 = w[4] * x68 - w[0] * x67;
   M[6] = x70;
   // wrist_1_link, composite
   const T x71 = x54 + x56;
-  const T x72 = w[5] * x50 + w[4] * x71;
+  const T x72 = w[6] * x50 + w[2] * x71;
   const T x75 = T(1.594451775) + x62;
-  const T x77 = x27 - T(0.39225) * x61 - w[5] * x72;
-  const T x79 = T(0.57063187374375) + x54 + T(0.7845) * x62 - w[4] * x72;
-  const T x81 = x56 - T(0.0011795599999999996) - w[4] * x72;
+  const T x77 = x27 - T(0.39225) * x61 - w[6] * x72;
+  const T x79 = T(0.57063187374375) + x54 + T(0.7845) * x62 - w[2] * x72;
+  const T x81 = x56 - T(0.0011795599999999996) - w[2] * x72;
   const T x83 = x63 - T(0.12652256366625) - T(0.013793413942275) * w[7];
   // forearm, column
   const T x84 = x79 - x81;
   M[5] = x84;
-  const T x85 = w[3] * x61 + w[2] * x75;
-  const T x86 = w[2] * x61 - w[3] * x75;
-  const T x87 = w[2] * x64 + w[3] * x83;
-  const T x88 = w[3] * x64 - w[2] * x83;
+  const T x85 = w[5] * x61 + w[1] * x75;
+  const T x86 = w[1] * x61 - w[5] * x75;
+  const T x87 = w[1] * x64 + w[5] * x83;
+  const T x88 = w[5] * x64 - w[1] * x83;
   const T x89 = x84 - T(0.425) * x86;
   M[4] = x89;
-  const T x90 = w[1] * x88 - w[0] * x87;
+  const T x90 = w[4] * x88 - w[0] * x87;
   M[3] = x90;
   // forearm, composite
   const T x91 = T(2.0) * x77;
   const T x92 = x79 + x81;
-  const T x93 = w[3] * x91 - w[2] * x92;
-  const T x95 = x77 + T(0.425) * x85 - w[3] * x93;
-  const T x97 = T(1.40048834375) + x79 - T(0.85) * x86 + w[2] * x93;
-  const T x99 = x81 - T(0.006118499999999999) + w[2] * x93;
+  const T x93 = w[5] * x91 - w[1] * x92;
+  const T x95 = x77 + T(0.425) * x85 - w[5] * x93;
+  const T x97 = T(1.40048834375) + x79 - T(0.85) * x86 + w[1] * x93;
+  const T x99 = x81 - T(0.006118499999999999) + w[1] * x93;
   const T x101 = x87 - T(0.34930028562500004) - T(0.0149450629075) * w[7];
   // upper_arm, column
   const T x102 = x97 - x99;
   M[2] = x102;
-  const T x103 = w[1] * x88 - w[0] * x101;
+  const T x103 = w[4] * x88 - w[0] * x101;
   M[1] = x103;
   // upper_arm, composite
   const T x104 = T(2.0) * x95;
   const T x105 = x97 + x99;
-  const T x106 = w[1] * x104 + w[0] * x105;
+  const T x106 = w[4] * x104 + w[0] * x105;
   // shoulder, column
   const T x108 = T(0.15528727895555) - x48 + x97 + T(0.00767648760637) * w[7] - w[0] * x106;
   M[0] = x108;

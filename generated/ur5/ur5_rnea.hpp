@@ -2,7 +2,7 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 #pragma once
 
-#include "arboc/scalar.hpp"
+#include "arboc/angles.hpp"
 
 namespace ur5 {
 namespace raw {
@@ -15,18 +15,20 @@ using std::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {
-  const T angle[5] = {q[1], q[2], q[3], q[4], q[5]};
-  for (int k = 0; k < 5; ++k) sincos(angle[k], w[2 * k], w[2 * k + 1]);
+  const arboc::Angles<T> angle[2] = {
+      {q[1], q[2], q[3], q[4]},
+      {q[5]}};
+  for (int k = 0; k < 2; ++k) angle[k].sincos_to(w + 4 * k, w + 8 + 4 * k);
 }
 
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT tau, T* ARBOC_RESTRICT w) noexcept {
   // upper_arm, motion
   const T x29 = v[0] * w[0];
-  const T x30 = v[0] * w[1];
+  const T x30 = v[0] * w[8];
   const T x31 = a[0] * w[0];
   const T x33 = x31 + v[1] * x30;
-  const T x34 = a[0] * w[1] - v[1] * x29;
+  const T x34 = a[0] * w[8] - v[1] * x29;
   const T x35 = v[1] * v[1] + x30 * x30;
   const T x36 = a[1] - x29 * x30;
   const T x37 = a[1] + x29 * x30;
@@ -34,14 +36,14 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
   const T x39 = x33 + v[1] * x30;
   const T x43 = x29 * x29 - v[1] * v[1];
   // forearm, motion
-  const T x45 = w[2] * x30 + w[3] * x29;
-  const T x46 = w[2] * x29 - w[3] * x30;
+  const T x45 = w[1] * x30 + w[9] * x29;
+  const T x46 = w[1] * x29 - w[9] * x30;
   const T x48 = T(9.81) * w[0] + T(0.425) * x35;
-  const T x49 = T(9.81) * w[1] - T(0.425) * x37;
-  const T x50 = w[2] * x48 - w[3] * x49;
+  const T x49 = T(9.81) * w[8] - T(0.425) * x37;
+  const T x50 = w[1] * x48 - w[9] * x49;
   const T x51 = v[1] + v[2];
-  const T x52 = w[2] * x34 + w[3] * x33 - v[2] * x46;
-  const T x53 = w[2] * x33 - w[3] * x34 + v[2] * x45;
+  const T x52 = w[1] * x34 + w[9] * x33 - v[2] * x46;
+  const T x53 = w[1] * x33 - w[9] * x34 + v[2] * x45;
   const T x54 = a[1] + a[2];
   const T x55 = x51 * x51 + x46 * x46;
   const T x56 = x54 + x45 * x46;
@@ -51,15 +53,15 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
   const T x60 = x52 - x46 * x51;
   const T x64 = x45 * x45 - x51 * x51;
   // wrist_1_link, motion
-  const T x67 = w[4] * x46 - w[5] * x45;
-  const T x68 = w[4] * x45 + w[5] * x46;
-  const T x70 = w[2] * x49 + w[3] * x48 + T(0.39225) * x55;
+  const T x67 = w[2] * x46 - w[10] * x45;
+  const T x68 = w[2] * x45 + w[10] * x46;
+  const T x70 = w[1] * x49 + w[9] * x48 + T(0.39225) * x55;
   const T x71 = x50 + T(0.39225) * x57;
   const T x72 = T(0.425) * x38 + T(0.39225) * x59;
-  const T x73 = w[4] * x71 - w[5] * x70;
+  const T x73 = w[2] * x71 - w[10] * x70;
   const T x74 = v[3] + x51;
-  const T x75 = w[4] * x53 - w[5] * x52 + v[3] * x68;
-  const T x76 = w[4] * x52 + w[5] * x53 - v[3] * x67;
+  const T x75 = w[2] * x53 - w[10] * x52 + v[3] * x68;
+  const T x76 = w[2] * x52 + w[10] * x53 - v[3] * x67;
   const T x77 = a[3] + x54;
   const T x78 = x77 - x67 * x68;
   const T x79 = x76 + x67 * x74;
@@ -70,15 +72,15 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
   const T x84 = x75 + x68 * x74;
   const T x85 = x67 * x67 + x68 * x68;
   // wrist_2_link, motion
-  const T x90 = w[6] * x74 - w[7] * x67;
-  const T x91 = w[7] * x74 + w[6] * x67;
+  const T x90 = w[3] * x74 - w[11] * x67;
+  const T x91 = w[11] * x74 + w[3] * x67;
   const T x93 = x73 + T(0.10915) * x79;
-  const T x94 = w[4] * x70 + w[5] * x71 - T(0.10915) * x82;
+  const T x94 = w[2] * x70 + w[10] * x71 - T(0.10915) * x82;
   const T x95 = x72 + T(0.10915) * x85;
-  const T x96 = w[6] * x95 + w[7] * x93;
+  const T x96 = w[3] * x95 + w[11] * x93;
   const T x97 = v[4] + x68;
-  const T x98 = w[6] * x77 - w[7] * x75 + v[4] * x91;
-  const T x99 = w[7] * x77 + w[6] * x75 - v[4] * x90;
+  const T x98 = w[3] * x77 - w[11] * x75 + v[4] * x91;
+  const T x99 = w[11] * x77 + w[3] * x75 - v[4] * x90;
   const T x100 = a[4] + x76;
   const T x101 = x100 - x90 * x91;
   const T x102 = x99 + x90 * x97;
@@ -90,47 +92,47 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
   const T x111 = T(0.0351648539) * x101;
   const T x112 = T(0.0351648539) * x104;
   // wrist_3_link, motion
-  const T x113 = w[8] * x97 - w[9] * x90;
-  const T x114 = w[9] * x97 + w[8] * x90;
+  const T x113 = w[4] * x97 - w[12] * x90;
+  const T x114 = w[12] * x97 + w[4] * x90;
   const T x115 = v[5] + x91;
   const T x116 = a[5] + x99;
-  const T x117 = w[9] * x100 + w[8] * x98 - v[5] * x113 - x113 * x115;
-  const T x118 = w[8] * x100 - w[9] * x98 + v[5] * x114 + x114 * x115;
+  const T x117 = w[12] * x100 + w[4] * x98 - v[5] * x113 - x113 * x115;
+  const T x118 = w[4] * x100 - w[12] * x98 + v[5] * x114 + x114 * x115;
   const T x120 = T(6.60585e-05) * x118;
   const T x121 = T(6.60585e-05) * x117;
   const T x123 = T(0.000132117) * x116;
   tau[5] = x123;
   // wrist_3_link, force
-  const T x124 = T(0.0032925001936350007) * x104 - T(0.0032925001936350007) * x107 + T(0.0020052223838399005) * x106 + T(0.0351648539) * x94 + w[8] * x121 - w[9] * x120;
+  const T x124 = T(0.0032925001936350007) * x104 - T(0.0032925001936350007) * x107 + T(0.0020052223838399005) * x106 + T(0.0351648539) * x94 + w[4] * x121 - w[12] * x120;
   const T x125 = x123 - T(0.0032925001936350007) * x101 + T(0.0004285545000000001) * x105;
-  const T x126 = T(0.0020052223838399005) * x101 + T(0.0004285545000000001) * x103 - T(0.0032925001936350007) * x102 + w[9] * x121 + w[8] * x120 + T(0.0351648539) * x96;
+  const T x126 = T(0.0020052223838399005) * x101 + T(0.0004285545000000001) * x103 - T(0.0032925001936350007) * x102 + w[12] * x121 + w[4] * x120 + T(0.0351648539) * x96;
   tau[4] = x126;
   // wrist_2_link, force
-  const T x127 = w[6] * x112 - w[7] * x111;
+  const T x127 = w[3] * x112 - w[11] * x111;
   const T x129 = x127 + T(0.150887345) * x78;
   const T x130 = T(0.150887345) * x81 - T(0.0351648539) * x106;
-  const T x131 = T(0.150887345) * x84 - w[7] * x112 - w[6] * x111;
-  const T x132 = T(0.01643350047875) * x81 - T(0.01643350047875) * x85 + T(0.01396233113165) * x84 - T(0.150887345) * x72 - T(0.003838243803185) * x106 + w[6] * x125 - w[7] * x124;
+  const T x131 = T(0.150887345) * x84 - w[11] * x112 - w[3] * x111;
+  const T x132 = T(0.01643350047875) * x81 - T(0.01643350047875) * x85 + T(0.01396233113165) * x84 - T(0.150887345) * x72 - T(0.003838243803185) * x106 + w[3] * x125 - w[11] * x124;
   const T x133 = x126 - T(0.01643350047875) * x78 + T(0.0004285545000000001) * x83 - T(0.10915) * x127;
-  const T x134 = T(0.01396233113165) * x78 + T(0.0004285545000000001) * x80 - T(0.01643350047875) * x79 - T(0.150887345) * x73 + w[7] * x125 + w[6] * x124;
+  const T x134 = T(0.01396233113165) * x78 + T(0.0004285545000000001) * x80 - T(0.01643350047875) * x79 - T(0.150887345) * x73 + w[11] * x125 + w[3] * x124;
   tau[3] = x134;
   // wrist_1_link, force
-  const T x135 = w[5] * x130 + w[4] * x129;
-  const T x136 = T(1.594451775) * x55 - w[4] * x130 + w[5] * x129;
+  const T x135 = w[10] * x130 + w[2] * x129;
+  const T x136 = T(1.594451775) * x55 - w[2] * x130 + w[10] * x129;
   const T x137 = T(1.594451775) * x57 - x135;
   const T x138 = T(1.594451775) * x59 - x131;
-  const T x139 = T(0.12652256366625) * x57 + T(0.0011795599999999996) * x60 + w[4] * x133 - w[5] * x132;
-  const T x140 = T(0.677642004375) * x38 + T(0.12652256366625) * x64 + T(0.57063187374375) * x59 - T(0.39225) * x131 + w[5] * x133 + w[4] * x132;
+  const T x139 = T(0.12652256366625) * x57 + T(0.0011795599999999996) * x60 + w[2] * x133 - w[10] * x132;
+  const T x140 = T(0.677642004375) * x38 + T(0.12652256366625) * x64 + T(0.57063187374375) * x59 - T(0.39225) * x131 + w[10] * x133 + w[2] * x132;
   const T x141 = x134 + T(0.0011795599999999996) * x56 + T(0.57063187374375) * x57 + T(0.12652256366625) * x58 + T(1.594451775) * x50 - T(0.39225) * x135;
   tau[2] = x141;
   // forearm, force
-  const T x142 = w[3] * x137 - w[2] * x136;
-  const T x143 = T(0.34930028562500004) * x37 + T(0.006118499999999999) * x39 + w[2] * x140 + w[3] * x139;
-  const T x144 = T(0.34930028562500004) * x43 + T(1.40048834375) * x38 + T(0.425) * x138 + w[3] * x140 - w[2] * x139;
-  const T x145 = x141 - T(38.1586437) * w[1] + T(0.34930028562500004) * x31 + T(0.006118499999999999) * x36 + T(1.40048834375) * x37 + T(0.425) * x142;
+  const T x142 = w[9] * x137 - w[1] * x136;
+  const T x143 = T(0.34930028562500004) * x37 + T(0.006118499999999999) * x39 + w[1] * x140 + w[9] * x139;
+  const T x144 = T(0.34930028562500004) * x43 + T(1.40048834375) * x38 + T(0.425) * x138 + w[9] * x140 - w[1] * x139;
+  const T x145 = x141 - T(38.1586437) * w[8] + T(0.34930028562500004) * x31 + T(0.006118499999999999) * x36 + T(1.40048834375) * x37 + T(0.425) * x142;
   tau[1] = x145;
   // upper_arm, force
-  const T x146 = T(0.15528727895555) * a[0] - w[1] * x144 + w[0] * x143;
+  const T x146 = T(0.15528727895555) * a[0] - w[8] * x144 + w[0] * x143;
   tau[0] = x146;
 }
 
@@ -144,7 +146,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
 /// 56 mul, 8 add, 133 fma, 0 div, 0 sqrt, 5 sincos.
 template <class T>
 void rnea(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT tau) noexcept {
-  T w[10];
+  T w[16];
   rnea_parts::angles<T>(q, w);
   rnea_parts::part0<T>(v, a, tau, w);
 }
