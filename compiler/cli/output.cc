@@ -53,6 +53,16 @@ void move(const fs::path& from, const fs::path& to) {
   if (std::rename(from.c_str(), to.c_str()) != 0) fail("cannot replace", to, errno);
 }
 
+/// Whether the file is there with these bytes.
+bool has_bytes(const fs::path& path, const std::string& bytes) {
+  std::error_code error;
+  if (!fs::is_regular_file(fs::symlink_status(path, error)) ||
+      fs::file_size(path, error) != bytes.size())
+    return false;
+  std::ifstream in(path, std::ios::binary);
+  return std::string{std::istreambuf_iterator<char>(in), {}} == bytes;
+}
+
 /// Paths that an earlier run wrote, as its manifest lists them; only plain relative ones.
 std::vector<std::string> listed_files(const fs::path& manifest) {
   std::ifstream in(manifest, std::ios::binary);
@@ -103,7 +113,7 @@ void write_folder(const std::string& directory, const std::string& name, const F
   }
   const auto old = listed_files(target / "manifest.json");
   for (const auto& [path, bytes] : files) {
-    if (path == "manifest.json") continue;
+    if (path == "manifest.json" || has_bytes(target / path, bytes)) continue;
     make_folder((target / path).parent_path());
     move(staging.path() / path, target / path);
   }
@@ -111,7 +121,8 @@ void write_folder(const std::string& directory, const std::string& name, const F
     std::error_code ignored;
     if (!files.contains(path)) fs::remove(target / path, ignored);
   }
-  move(staging.path() / "manifest.json", target / "manifest.json");
+  if (!has_bytes(target / "manifest.json", files.at("manifest.json")))
+    move(staging.path() / "manifest.json", target / "manifest.json");
 }
 
 void flush_stdout() {

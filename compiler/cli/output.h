@@ -8,8 +8,8 @@
 namespace arboc::cli {
 
 /// Writes `files` to the folder `directory`/`name`.  A new folder appears by one rename.  In an
-/// existing one each file is replaced by a rename, manifest.json last, and files that an older
-/// manifest lists and the new one does not are removed; other files are left alone.
+/// existing one each file whose bytes change is replaced by a rename, manifest.json last, and files
+/// that an older manifest lists and the new one does not are removed; other files are left alone.
 /// Throws OutputError.
 void write_folder(const std::string& directory, const std::string& name, const Files& files);
 
