@@ -1,12 +1,13 @@
-# arboc_add_model(NAME MODEL file.urdf [FUNCTIONS f...] [BASE fixed|floating] [OPTIONS o...]
-#                 [DEPENDS file...] [SELFTEST])
+# arboc_add_model(NAME MODEL file.urdf [FUNCTIONS f...] [BASE fixed|floating] [TARGETS cpp c]
+#                 [OPTIONS o...] [DEPENDS file...] [SELFTEST])
 #
 # Compiles a model when the project is built, and gives the target NAME::NAME: link it and include
-# <NAME/NAME.hpp>.
+# <NAME/NAME.hpp>; of TARGETS c NAME::c and <NAME/NAME_casadi.h>.
 #
 #   FUNCTIONS  as --functions takes them, separated by blanks: rnea crba ..., dynamics (the default)
 #              or all
 #   BASE       how the root link is attached to the world: --base
+#   TARGETS    languages: --target; cpp is the default
 #   OPTIONS    any other options of `arboc compile`: --frames flange --jacobian rnea.tau:q
 #   DEPENDS    further files on which the result depends
 #   SELFTEST   builds the self-test as well and adds it to CTest
@@ -14,17 +15,67 @@
 # The code is generated anew when the model, what is asked for, or arboc itself has changed; files
 # whose bytes stay the same are left alone, so that only what changed is compiled.
 include_guard(GLOBAL)
-include("${CMAKE_CURRENT_LIST_DIR}/arbocFiles.cmake")
 
 # Everything that is written to the folder, relative to it.
-function(arboc_files name functions result)
-  set(files ${name}.hpp ${name}_raw.hpp ${name}_batch.hpp ${name}_selftest.cpp CMakeLists.txt
-      manifest.json)
-  foreach(function IN LISTS functions)
-    list(APPEND files ${name}_${function}.hpp ${name}_${function}_double.cpp)
-  endforeach()
-  list(TRANSFORM ARBOC_RUNTIME_HEADERS PREPEND arboc/ OUTPUT_VARIABLE headers)
+function(arboc_files name functions targets result)
+  set(files CMakeLists.txt manifest.json)
+  set(headers)
+  if("cpp" IN_LIST targets)
+    list(APPEND files ${name}.hpp ${name}_raw.hpp ${name}_batch.hpp ${name}_selftest.cpp)
+    foreach(function IN LISTS functions)
+      list(APPEND files ${name}_${function}.hpp ${name}_${function}_double.cpp)
+    endforeach()
+    list(APPEND headers ${ARBOC_RUNTIME_HEADERS})
+  endif()
+  if("c" IN_LIST targets)
+    list(APPEND files ${name}_casadi.h)
+    foreach(function IN LISTS functions)
+      list(APPEND files ${name}_${function}.c)
+      if(function IN_LIST ARBOC_FUNCTIONS AND NOT function MATCHES "_(derivatives|hessian)$")
+        list(APPEND files jac_${name}_${function}.c)
+      endif()
+    endforeach()
+    list(APPEND headers ${ARBOC_C_RUNTIME_HEADERS})
+  endif()
+  list(TRANSFORM headers PREPEND arboc/)
   set(${result} ${files} ${headers} PARENT_SCOPE)
+endfunction()
+
+# Straight-line code: vectorising it across statements only costs time.
+function(arboc_set_properties target include name)
+  target_include_directories(${target} PUBLIC "${include}" "${include}/${name}")
+  add_dependencies(${target} ${name}_generate)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE
+    $<$<OR:$<CXX_COMPILER_ID:GNU>,$<C_COMPILER_ID:GNU>>:-fno-tree-vectorize>)
+endfunction()
+
+# NAME::NAME of the sources that end in .cpp, but for the self-test.
+function(arboc_add_cpp name include files)
+  list(FILTER files INCLUDE REGEX "_double\\.cpp$")
+  add_library(${name} STATIC ${files})
+  add_library(${name}::${name} ALIAS ${name})
+  target_compile_features(${name} PUBLIC cxx_std_17)
+  arboc_set_properties(${name} "${include}" ${name})
+  find_package(Eigen3 QUIET NO_MODULE)
+  if(TARGET Eigen3::Eigen)
+    target_link_libraries(${name} PUBLIC Eigen3::Eigen)
+  endif()
+endfunction()
+
+# NAME::c of the sources that end in .c.
+function(arboc_add_c name include files)
+  get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
+  if(NOT "C" IN_LIST languages)
+    message(FATAL_ERROR "arboc_add_model(${name} ... TARGETS c): the project has to enable C: "
+                        "project(... LANGUAGES C CXX)")
+  endif()
+  list(FILTER files INCLUDE REGEX "\\.c$")
+  add_library(${name}_c SHARED ${files})
+  add_library(${name}::c ALIAS ${name}_c)
+  set_target_properties(${name}_c PROPERTIES C_STANDARD 99)
+  arboc_set_properties(${name}_c "${include}" ${name})
+  target_link_libraries(${name}_c PUBLIC m)
 endfunction()
 
 # Checks the arguments of arboc_add_model, which are those of the caller.
@@ -33,6 +84,11 @@ macro(arboc_check_arguments)
     message(FATAL_ERROR "arboc_add_model: '${name}' is no name for code: letters, digits and single "
                         "underscores, a letter first")
   endif()
+  foreach(target IN LISTS arg_TARGETS)
+    if(NOT target MATCHES "^(cpp|c)$")
+      message(FATAL_ERROR "arboc_add_model(${name}): TARGETS are cpp and c, not ${target}")
+    endif()
+  endforeach()
   if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "arboc_add_model(${name}): wrong arguments: ${arg_UNPARSED_ARGUMENTS} "
                         "${arg_KEYWORDS_MISSING_VALUES}")
@@ -44,14 +100,17 @@ macro(arboc_check_arguments)
 endmacro()
 
 function(arboc_add_model name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SELFTEST" "MODEL;BASE" "FUNCTIONS;OPTIONS;DEPENDS")
+  include("${CMAKE_CURRENT_FUNCTION_LIST_DIR}/arbocFiles.cmake")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SELFTEST" "MODEL;BASE" "FUNCTIONS;TARGETS;OPTIONS;DEPENDS")
   arboc_check_arguments()
+  if(NOT arg_TARGETS)
+    set(arg_TARGETS cpp)
+  endif()
   set(include "${CMAKE_CURRENT_BINARY_DIR}/generated")
   set(folder "${include}/${name}")
   arboc_function_names("${arg_FUNCTIONS}" "${arg_OPTIONS}" functions)
-  arboc_files(${name} "${functions}" files)
+  arboc_files(${name} "${functions}" "${arg_TARGETS}" files)
   list(TRANSFORM files PREPEND "${folder}/")
-  list(JOIN functions "," list)
 
   set(command compile "${model}" --name ${name} -o "${include}")
   if(arg_FUNCTIONS)
@@ -60,6 +119,10 @@ function(arboc_add_model name)
   endif()
   if(arg_BASE)
     list(APPEND command --base ${arg_BASE})
+  endif()
+  if(NOT arg_TARGETS STREQUAL "cpp")
+    list(JOIN arg_TARGETS "," list)
+    list(APPEND command --target ${list})
   endif()
   list(APPEND command ${arg_OPTIONS})
   # A file that changes with the command, for generators that do not look at it.
@@ -74,20 +137,15 @@ function(arboc_add_model name)
     DEPENDS "${model}" "${options}" "$<TARGET_FILE:arboc::arboc>" ${arg_DEPENDS}
     COMMENT "Compiling ${arg_MODEL} to ${name}"
     VERBATIM)
+  add_custom_target(${name}_generate DEPENDS "${stamp}")
 
-  set(sources ${functions})
-  list(TRANSFORM sources REPLACE "(.+)" "${folder}/${name}_\\1_double.cpp")
-  add_library(${name} STATIC ${sources} "${stamp}")
-  add_library(${name}::${name} ALIAS ${name})
-  target_compile_features(${name} PUBLIC cxx_std_17)
-  target_include_directories(${name} PUBLIC "${include}" "${folder}")
-  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  # Straight-line code: vectorising it across statements only costs time.
-  target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize>)
-  find_package(Eigen3 QUIET NO_MODULE)
-  if(TARGET Eigen3::Eigen)
-    target_link_libraries(${name} PUBLIC Eigen3::Eigen)
+  if("c" IN_LIST arg_TARGETS)
+    arboc_add_c(${name} "${include}" "${files}")
   endif()
+  if(NOT "cpp" IN_LIST arg_TARGETS)
+    return()
+  endif()
+  arboc_add_cpp(${name} "${include}" "${files}")
   if(arg_SELFTEST)
     add_executable(${name}_selftest "${folder}/${name}_selftest.cpp")
     target_link_libraries(${name}_selftest PRIVATE ${name}::${name})

@@ -2,6 +2,7 @@
 # these lists with the program (tests/embed).
 
 set(ARBOC_RUNTIME_HEADERS angles.hpp batch.hpp pack.hpp pack_math.hpp rows.hpp scalar.hpp team.hpp)
+set(ARBOC_C_RUNTIME_HEADERS casadi.h scalar.h)
 
 # `--functions dynamics`, which is the default, and `--functions all`.
 set(ARBOC_DYNAMICS fk rnea gravity nle crba minv aba rnea_derivatives aba_derivatives)

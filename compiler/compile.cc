@@ -7,6 +7,7 @@
 
 #include "base/number.h"
 #include "emit/names.h"
+#include "external.h"
 #include "passes/passes.h"
 #include "record.h"
 
@@ -141,6 +142,8 @@ std::vector<std::string> changed_options(const CompileOptions& compile_options) 
   if (!options.tips.empty())
     changed.push_back(fmt::format("--tip {}", fmt::join(options.tips, ",")));
   add_changed(compile_options.function, changed);
+  if (compile_options.targets.c)
+    changed.emplace_back(compile_options.targets.cpp ? "--target cpp,c" : "--target c");
   return changed;
 }
 
@@ -206,6 +209,11 @@ TargetModel target(const Compilation& compilation, const CompileOptions& options
   describe_joints(model, target);
   for (const CompiledFunction& f : compilation.functions)
     target.functions.push_back({text(f.request), f.signature, f.patterns, f.program});
+  target.cpp = options.targets.cpp;
+  if (options.targets.c)
+    for (const CompiledFunction& f : compilation.functions)
+      for (ExternalFunction& e : external_functions(f.request, setup))
+        target.externals.push_back(std::move(e));
   for (const int frame : setup.frames)
     target.frame_names.push_back(model.links[static_cast<size_t>(frame)].name);
   for (const int load : setup.loads)

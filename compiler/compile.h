@@ -9,10 +9,17 @@
 
 namespace arboc {
 
+/// Languages to emit.
+struct Targets {
+  bool cpp = true;
+  bool c = false;
+};
+
 struct CompileOptions {
   ModelOptions model;
   FunctionOptions function;
   std::vector<Request> requests;  ///< in the order of emission
+  Targets targets;
   int max_dof = 512;              ///< refuse larger models
 };
 

@@ -5,9 +5,11 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 #include <system_error>
 
 #include "base/diagnostic.h"
+#include "base/words.h"
 #include "cli/bench.h"
 #include "cli/bench_compile.h"
 #include "cli/common.h"
@@ -28,12 +30,30 @@ struct Arguments {
   std::string lanes;
 };
 
+Targets parse_targets(const std::string& list) {
+  Targets targets{false, false};
+  std::istringstream words(list);
+  for (std::string word; std::getline(words, word, ',');) {
+    if (word != "cpp" && word != "c")
+      throw UsageError(unknown("--target", "there is no language", word, {"cpp", "c"}));
+    (word == "c" ? targets.c : targets.cpp) = true;
+  }
+  if (!targets.c && !targets.cpp) throw CLI::ValidationError("--target", "the list is empty");
+  return targets;
+}
+
 void add_compile(CLI::App& app, Arguments& args) {
   CLI::App* sub = app.add_subcommand("compile", "write specialised C++ for a model to DIR/NAME/");
   add_model_options(*sub, args.common);
   add_function_option(*sub, args.common);
   auto* out = sub->add_option("-o,--out", args.out, "folder that becomes the include path")
                   ->type_name("DIR");
+  sub->add_option_function<std::string>(
+         "--target",
+         [&args](const std::string& list) { args.common.compile.targets = parse_targets(list); },
+         "languages: cpp, c (CasADi's convention) or both")
+      ->default_str("cpp")
+      ->type_name("cpp|c|cpp,c");
   auto* print =
       sub->add_option("--print", args.stage, "print a stage to stdout instead of the summary")
           ->check(quiet(CLI::IsMember({"model", "tree", "graph", "program"})))

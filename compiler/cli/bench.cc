@@ -192,7 +192,7 @@ std::vector<BenchRow> time_generic(const Common& common, const Compilation& comp
                                    const TargetModel& target) {
   const TemporaryFolder folder;
   Files files;
-  for (const auto& [path, bytes] : emit_cpp(target)) files[target.name + "/" + path] = bytes;
+  for (const auto& [path, bytes] : emit(target)) files[target.name + "/" + path] = bytes;
   for (const std::string& name : embedded_names("generic/")) files[name.substr(8)] = embedded(name);
   files["arboc/scalar.hpp"] = embedded("runtime/arboc/scalar.hpp");
   files["driver.cpp"] = driver(target, compilation);

@@ -75,7 +75,7 @@ int run_bench_compile(const Common& common) {
   const TargetModel target = arboc::target(compilation, options);
   const TemporaryFolder folder;
   Files files;
-  for (const auto& [path, bytes] : emit_cpp(target)) files[target.name + "/" + path] = bytes;
+  for (const auto& [path, bytes] : emit(target)) files[target.name + "/" + path] = bytes;
   write_sources(folder.path(), files);
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   if (!common.json)

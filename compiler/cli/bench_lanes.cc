@@ -63,7 +63,7 @@ std::vector<Timing> time_lanes(const Common& common, const Compilation& compilat
                                const TargetModel& target, const std::vector<Lanes>& lanes) {
   const TemporaryFolder folder;
   Files files;
-  for (const auto& [path, bytes] : emit_cpp(target)) files[target.name + "/" + path] = bytes;
+  for (const auto& [path, bytes] : emit(target)) files[target.name + "/" + path] = bytes;
   files["lanes.cpp"] = driver(target, lanes);
   const Library library(build_library(common, folder.path(), files, {"lanes.cpp"}));
 

@@ -210,7 +210,7 @@ namespace {
 std::string build_code(const Common& common, const std::string& folder, const TargetModel& model) {
   Files files;
   std::vector<std::string> sources;
-  for (const auto& [path, bytes] : emit_cpp(model)) files[model.name + "/" + path] = bytes;
+  for (const auto& [path, bytes] : emit(model)) files[model.name + "/" + path] = bytes;
   // The longest ones first.
   std::vector<const TargetFunction*> order;
   for (const TargetFunction& f : model.functions) order.push_back(&f);

@@ -40,7 +40,7 @@ int run_compile(const Common& common, const std::string& out, const std::string&
   if (!out.empty()) {
     const TargetModel target = arboc::target(compilation, options);
     check_interrupt();
-    write_folder(out, target.name, emit_cpp(target));
+    write_folder(out, target.name, emit(target));
     if (stage.empty()) {
       fmt::print("{}/{}\n", out, target.name);
       for (const TargetFunction& f : target.functions)

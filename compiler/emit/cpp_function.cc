@@ -1,40 +1,14 @@
 // The header of one function: its chunks as noinline parts, and the function that calls them.
 #include <fmt/format.h>
 
-#include <set>
-
 #include "base/number.h"
+#include "emit/arrays.h"
 #include "emit/emit.h"
 #include "emit/names.h"
 #include "emit/template.h"
 
 namespace arboc {
 namespace {
-
-/// Arrays that a piece of code reads or writes, in the order of the function's parameters.
-struct Arrays {
-  std::set<int> inputs, outputs;
-  bool work = false;
-
-  void read(const Operand& x) {
-    if (x.place == Operand::Place::kInput) inputs.insert(x.port);
-    if (x.place == Operand::Place::kSlot) work = true;
-  }
-  void store(const Store& s) {
-    outputs.insert(s.port);
-    read(s.value);
-  }
-  void chunk(const Chunk& chunk) {
-    for (const Statement& s : chunk.statements) {
-      for (const ProgramTerm& t : s.terms) {
-        read(t.a);
-        if (t.product) read(t.b);
-      }
-      for (const Store& x : s.stores) store(x);
-      work = work || s.slot >= 0;
-    }
-  }
-};
 
 /// `const T* q, T* tau, T* w` or, without types, `q, tau, w`.
 std::string list(const Program& program, const Arrays& arrays, bool types) {
@@ -96,9 +70,7 @@ class Function {
  private:
   void add_part(std::string& parts, std::string& calls, const std::string& name,
                 const Arrays& arrays, const std::string& body) {
-    used_.inputs.insert(arrays.inputs.begin(), arrays.inputs.end());
-    used_.outputs.insert(arrays.outputs.begin(), arrays.outputs.end());
-    used_.work = used_.work || arrays.work;
+    used_.add(arrays);
     parts += fmt::format("template <class T>\nARBOC_NOINLINE void {}({}) noexcept {{\n{}}}\n\n",
                          name, list(program_, arrays, true), body);
     calls +=

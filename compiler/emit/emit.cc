@@ -31,8 +31,9 @@ std::string banner(const TargetModel& model) {
   return out + "// This file belongs to whoever generated it; arboc claims no right to it.";
 }
 
-Files emit_cpp(const TargetModel& model) {
-  Files files;
+namespace {
+
+void add_cpp(const TargetModel& model, Files& files, std::string& targets) {
   const std::string& name = model.name;
   std::string sources;
   for (const TargetFunction& f : model.functions) {
@@ -50,13 +51,45 @@ Files emit_cpp(const TargetModel& model) {
   files[name + ".hpp"] = eigen_header(model);
   files[name + "_batch.hpp"] = batch_header(model);
   files[name + "_selftest.cpp"] = selftest(model);
-  std::string upper;
-  for (const char c : name) upper += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  files["CMakeLists.txt"] =
-      fill("cpp/CMakeLists.txt", {{"name", name}, {"NAME", upper}, {"sources", sources}});
+  targets +=
+      fill("cpp/targets.cmake", {{"name", name}, {"NAME", upper_case(name)}, {"sources", sources}});
+}
+
+void add_c(const TargetModel& model, Files& files, std::string& targets) {
+  std::string sources;
+  for (const ExternalFunction& f : model.externals) {
+    const std::string file = external_symbol(model, f) + ".c";
+    files[file] = c_function(model, f);
+    sources += fmt::format("{}  {}", sources.empty() ? "" : "\n", file);
+  }
+  files[model.name + "_casadi.h"] = casadi_header(model);
+  targets += fill("c/targets.cmake", {{"name", model.name}, {"sources", sources}});
+}
+
+/// What the folder needs of the runtime: the headers of its languages.
+void add_runtime(const TargetModel& model, Files& files) {
   const std::string runtime = "runtime/";
   for (const std::string& header : embedded_names(runtime))
-    files[header.substr(runtime.size())] = embedded(header);
+    if (header.ends_with(".hpp") ? model.cpp : !model.externals.empty())
+      files[header.substr(runtime.size())] = embedded(header);
+}
+
+}  // namespace
+
+Files emit(const TargetModel& model) {
+  Files files;
+  std::string targets;
+  if (model.cpp) add_cpp(model, files, targets);
+  if (!model.externals.empty()) add_c(model, files, targets);
+  const std::string what =
+      !model.cpp ? fmt::format("Target {0}::c: link it and include <{0}/{0}_casadi.h>.", model.name)
+                 : fmt::format("Target {0}::{0}: link it and include <{0}/{0}.hpp>.", model.name);
+  files["CMakeLists.txt"] = fill("CMakeLists.txt", {{"name", model.name},
+                                                    {"NAME", upper_case(model.name)},
+                                                    {"what", what},
+                                                    {"language", model.cpp ? "CXX" : "C"},
+                                                    {"targets", targets}});
+  add_runtime(model, files);
   files["manifest.json"] = manifest(model, files);
   return files;
 }

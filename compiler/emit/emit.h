@@ -1,13 +1,13 @@
-// TargetModel -> the files of its folder, in C++.
+// TargetModel -> the files of its folder.
 #pragma once
 #include "emit/target.h"
 
 namespace arboc {
 
-/// The folder: NAME_raw.hpp, NAME_<function>.hpp and _double.cpp, NAME.hpp,
-/// NAME_batch.hpp, NAME_selftest.cpp, CMakeLists.txt, arboc/*.hpp, manifest.json.  The same bytes
-/// for the same model, options and version.
-Files emit_cpp(const TargetModel& model);
+/// The folder: in C++ NAME_raw.hpp, NAME_<function>.hpp and _double.cpp, NAME.hpp, NAME_batch.hpp,
+/// NAME_selftest.cpp; in C NAME_casadi.h, NAME_<function>.c and jac_NAME_<function>.c; beside them
+/// CMakeLists.txt, arboc/*, manifest.json.  The same bytes for the same model, options and version.
+Files emit(const TargetModel& model);
 
 /// manifest.json: version, model, options, conventions, functions with shapes, units, sparsity and
 /// operations, and the SHA-256 of each of `files`.
@@ -16,7 +16,7 @@ std::string manifest(const TargetModel& model, const Files& files);
 /// The version of the compiler.
 const char* version();
 
-// The parts of emit_cpp.
+// The parts of emit.
 std::string banner(const TargetModel& model);
 std::string parameters(const TargetFunction& function, const std::string& scalar,
                        const std::string& qualifier = "");
@@ -27,5 +27,9 @@ std::string raw_header(const TargetModel& model);
 std::string eigen_header(const TargetModel& model);
 std::string batch_header(const TargetModel& model);
 std::string selftest(const TargetModel& model);
+std::string casadi_header(const TargetModel& model);
+std::string c_function(const TargetModel& model, const ExternalFunction& function);
+/// ur5_rnea, jac_ur5_rnea
+std::string external_symbol(const TargetModel& model, const ExternalFunction& function);
 
 }  // namespace arboc

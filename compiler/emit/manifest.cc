@@ -55,6 +55,14 @@ ordered_json describe(const TargetFunction& f) {
   return json;
 }
 
+ordered_json describe(const TargetModel& model, const ExternalFunction& f) {
+  const OpCount& n = f.program.ops;
+  return {{"symbol", external_symbol(model, f)},
+          {"ops", n.total()},
+          {"sincos", n.sincos},
+          {"functions_of_code", f.program.chunks.size()}};
+}
+
 ordered_json limit_array(const std::vector<double>& values) {
   ordered_json json = ordered_json::array();
   for (const double x : values)
@@ -103,6 +111,7 @@ std::string manifest(const TargetModel& model, const Files& files) {
       {"tolerance", "agreement with the reference engine, relative to the largest entry"}};
   json["functions"] = ordered_json::array();
   for (const TargetFunction& f : model.functions) json["functions"].push_back(describe(f));
+  for (const ExternalFunction& f : model.externals) json["c"].push_back(describe(model, f));
   for (const auto& [path, bytes] : files) json["files"][path] = sha256(bytes);
   return json.dump(1, ' ', true) + "\n";
 }

@@ -56,6 +56,12 @@ std::string identifier(std::string_view text) {
   return out;
 }
 
+std::string upper_case(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return out;
+}
+
 std::string comment_text(std::string_view text) {
   constexpr std::string_view kSafe = " _.,:+-'()[]=";
   std::string out;

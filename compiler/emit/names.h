@@ -9,6 +9,9 @@ namespace arboc {
 /// interface: other bytes become '_', runs of '_' one; "model" if nothing is left.
 std::string identifier(std::string_view text);
 
+/// For macros: a letter in lower case becomes upper case.
+std::string upper_case(std::string_view text);
+
 /// Safe inside a // comment: anything but letters, digits, space and _.,:+-'()[]= becomes '_'.
 std::string comment_text(std::string_view text);
 

@@ -65,6 +65,17 @@ struct TargetFunction {
   }
 };
 
+/// A function of the C interface: what CasADi calls an external function.
+struct ExternalFunction {
+  std::string name;     ///< in the model's name space: rnea
+  bool jacobian = false;  ///< it is the Jacobian of that function
+  /// Inputs are dense; those behind the program's, the function's outputs in a Jacobian, are not
+  /// looked at.
+  Signature signature;
+  std::vector<Pattern> patterns;  ///< per output, dense ones too: what is written, by columns
+  Program program;
+};
+
 /// Files of a folder: relative path -> bytes.
 using Files = std::map<std::string, std::string>;
 
@@ -102,6 +113,8 @@ struct TargetModel {
   std::vector<ParameterTable> parameters;   ///< numbers of the model that are inputs
   std::vector<Table> limits;                ///< q_lower, q_upper (nq), v_limit, tau_limit (nv)
   std::vector<TargetFunction> functions;
+  bool cpp = true;                          ///< emit the functions in C++
+  std::vector<ExternalFunction> externals;  ///< what is emitted in C
   std::vector<Recording> recordings;  ///< for the selftest
   double step = 1e-4;                 ///< s, of the recordings
   std::string manifest_extra;         ///< JSON text of the members that only the front knows

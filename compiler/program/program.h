@@ -81,9 +81,21 @@ Program schedule(const Graph& graph, const ScheduleOptions& options = {});
 /// Operations of the statements as listed.
 OpCount count_ops(const Program& program);
 
-/// An operand, a right-hand side in C++ (constants as T(2.5)).
-std::string text(const Program& program, const Operand& operand);
-std::string text(const Program& program, const Statement& statement);
+/// How a language writes what is not an operator: formats of a number, of a function by its name
+/// and argument, and of one with an index, name, index and argument.
+struct Spelling {
+  const char* constant;
+  const char* call;
+  const char* special;
+  const char* indexed;
+};
+inline constexpr Spelling kCpp{"T({})", "{}({})", "arboc::{}({})", "arboc::{}<{}>({})"};
+inline constexpr Spelling kC{"K({})", "arboc_{}({})", "arboc_{}({})", "arboc_{}({}, {})"};
+
+/// An operand, a right-hand side.
+std::string text(const Program& program, const Operand& operand, const Spelling& spelling = kCpp);
+std::string text(const Program& program, const Statement& statement,
+                 const Spelling& spelling = kCpp);
 
 /// The printed form (`--print=program`): the statements as they will stand in the product.
 std::string print(const Program& program);

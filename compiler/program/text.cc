@@ -7,9 +7,10 @@
 namespace arboc {
 namespace {
 
-std::string unsigned_text(const Program& program, const Operand& x) {
+std::string unsigned_text(const Program& program, const Operand& x, const Spelling& spelling) {
   switch (x.place) {
-    case Operand::Place::kConstant: return fmt::format("T({})", literal(x.value));
+    case Operand::Place::kConstant:
+      return fmt::format(fmt::runtime(spelling.constant), literal(x.value));
     case Operand::Place::kInput:
       return fmt::format("{}[{}]", program.inputs[static_cast<size_t>(x.port)].name, x.index);
     case Operand::Place::kLocal: return fmt::format("x{}", x.index);
@@ -18,39 +19,39 @@ std::string unsigned_text(const Program& program, const Operand& x) {
   return {};
 }
 
-std::string product(const Program& program, const ProgramTerm& term) {
-  const std::string a = unsigned_text(program, term.a);
-  return term.product ? a + " * " + text(program, term.b) : a;
+std::string product(const Program& program, const ProgramTerm& term, const Spelling& spelling) {
+  const std::string a = unsigned_text(program, term.a, spelling);
+  return term.product ? a + " * " + text(program, term.b, spelling) : a;
 }
 
 }  // namespace
 
-std::string text(const Program& program, const Operand& operand) {
-  return (operand.negative ? "-" : "") + unsigned_text(program, operand);
+std::string text(const Program& program, const Operand& operand, const Spelling& spelling) {
+  return (operand.negative ? "-" : "") + unsigned_text(program, operand, spelling);
 }
 
-std::string text(const Program& program, const Statement& s) {
+std::string text(const Program& program, const Statement& s, const Spelling& spelling) {
   const ProgramTerm& first = s.terms.front();
+  const auto of = [&](const Operand& x) { return text(program, x, spelling); };
   switch (s.op) {
     case Op::kSum: {
       std::string line;
       for (const ProgramTerm& term : s.terms) {
         line += &term == &first ? (term.a.negative ? "-" : "") : term.a.negative ? " - " : " + ";
-        line += product(program, term);
+        line += product(program, term, spelling);
       }
       return line;
     }
     case Op::kAdd:
     case Op::kMul:
-    case Op::kDiv:
-      return fmt::format("{} {} {}", text(program, first.a), spelling(s.op),
-                         text(program, first.b));
+    case Op::kDiv: return fmt::format("{} {} {}", of(first.a), arboc::spelling(s.op), of(first.b));
     case Op::kStumpff:
-      return fmt::format("arboc::{}<{}>({})", spelling(s.op), s.index, text(program, first.a));
+      return fmt::format(fmt::runtime(spelling.indexed), arboc::spelling(s.op), s.index,
+                         of(first.a));
     case Op::kQuaternionLog:
     case Op::kLogCurvature:
-      return fmt::format("arboc::{}({})", spelling(s.op), text(program, first.a));
-    default: return fmt::format("{}({})", spelling(s.op), text(program, first.a));
+      return fmt::format(fmt::runtime(spelling.special), arboc::spelling(s.op), of(first.a));
+    default: return fmt::format(fmt::runtime(spelling.call), arboc::spelling(s.op), of(first.a));
   }
 }
 

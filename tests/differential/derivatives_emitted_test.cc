@@ -93,7 +93,7 @@ TEST(EmittedDerivatives, FillInTheMatricesThatAreWanted) {
   const Compilation compilation = compile_robot("ur5", Base::kFixed, options);
   const cli::TemporaryFolder folder;
   Files files;
-  for (const auto& [path, bytes] : emit_cpp(target(compilation, options)))
+  for (const auto& [path, bytes] : emit(target(compilation, options)))
     files["ur5/" + path] = bytes;
   files["calls.cpp"] = kEigenCalls;
   cli::Common common = compiler();
@@ -116,7 +116,7 @@ TEST(EmittedDerivatives, PassTheirSelftest) {
   const Compilation compilation = compile_robot("all_joints", Base::kFixed, options);
   const cli::TemporaryFolder folder;
   const cli::Library library(
-      cli::build_library(compiler(), folder.path(), emit_cpp(target(compilation, options)),
+      cli::build_library(compiler(), folder.path(), emit(target(compilation, options)),
                          {"all_joints_rnea_derivatives_double.cpp", "all_joints_selftest.cpp"}));
   EXPECT_EQ(reinterpret_cast<int (*)()>(library.symbol("main"))(), 0);
 }

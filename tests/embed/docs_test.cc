@@ -104,7 +104,7 @@ TEST_P(EmbeddingPage, DoesWhatItSays) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sections, EmbeddingPage, testing::Values("CMake"),
+INSTANTIATE_TEST_SUITE_P(Sections, EmbeddingPage, testing::Values("CMake", "C and CasADi"),
                          [](const auto& c) { return single_word(c.param); });
 
 }  // namespace

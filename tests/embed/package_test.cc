@@ -30,7 +30,11 @@ Outcome expect_success(const Command& command) {
 Outcome run_script(const std::string& text) {
   const TempDir folder;
   write_text(folder / "script.cmake",
-             "include(" ARBOC_SOURCE_DIR "/cmake/arbocAddModel.cmake)\n" + text);
+             "cmake_minimum_required(VERSION 3.17)\n"
+             "include(" ARBOC_SOURCE_DIR
+             "/cmake/arbocFiles.cmake)\n"
+             "include(" ARBOC_SOURCE_DIR "/cmake/arbocAddModel.cmake)\n" +
+                 text);
   return run_program({ARBOC_CMAKE, "-P", folder / "script.cmake"});
 }
 
@@ -44,8 +48,10 @@ std::set<std::string> lines_of(const std::string& text) {
 /// The names that CMake expects before arboc has run are those that it then writes.
 TEST(PackageFiles, AreThoseThatArbocWrites) {
   const std::vector<std::string> cases[] = {
-      {"--functions", "all"},
+      {"--functions", "all", "--target", "cpp,c"},
       {},
+      {"--functions", "com_jacobian,rnea_hessian", "--target", "c", "--jacobian",
+       "com_jacobian.Jc:q"},
       {"--functions", "rnea,crba", "--jacobian", "rnea.tau:q,v", "--jacobian=aba.qdd", "--gradient",
        "rnea.tau^2", "--vjp", "fk.placements:q", "--hessian", "energy.V:q", "--hessian", "iterated",
        "--jacobian", "rnea.tau:q,v", "--frames", "lower_rod"}};
@@ -67,9 +73,13 @@ TEST(PackageFiles, AreThoseThatArbocWrites) {
       list += (list.empty() ? "" : ";") + options[k];
     }
     for (char& c : functions) c = c == ',' ? ';' : c;
+    std::string targets = "cpp";
+    for (const std::string& option : options)
+      if (option == "c" || option == "cpp,c") targets = option == "c" ? "c" : "cpp;c";
     const Outcome named =
         run_script("arboc_function_names(\"" + functions + "\" \"" + rest +
-                   "\" names)\narboc_files(m \"${names}\" files)\n"
+                   "\" names)\narboc_files(m \"${names}\" \"" + targets +
+                   "\" files)\n"
                    "foreach(f IN LISTS files)\n  message(\"${f}\")\nendforeach()\n");
     EXPECT_EQ(named.status, 0) << named.err;
     EXPECT_EQ(lines_of(named.err), expected);
@@ -156,6 +166,13 @@ TEST_F(Package, MovedElsewhereGeneratesAndGivesTheBitsOfEval) {
   expect_numbers_of_eval("walker", "quadruped", {"--base", "floating", "--function", "aba"},
                          {"q", "v", "tau"}, {q, ramp(18, 1, -0.1), ramp(18, -9, 1)});
   EXPECT_EQ(expect_success({built() + "/runtime"}).out, "0.841470984808\n");
+  RunOptions state;
+  state.input = folder_ / "state";
+  write_text(state.input, "0 1 2 3 4 5 6 5 4 3 2 1 1 -1 1 -1 1 -1");
+  const auto by_c = numbers(run_program({built() + "/in_c"}, state).out);
+  const auto by_cpp = numbers(run_program({built() + "/consumer"}, state).out);
+  ASSERT_EQ(by_c.size(), 1u);
+  for (size_t k = 0; k < 6; ++k) EXPECT_NEAR(by_c[0].at(k), by_cpp.at(0).at(k), 1e-9);
 }
 
 /// Generated again when and only when something changed, and compiled only what came out different.
@@ -215,7 +232,7 @@ TEST_F(Package, RebuildsWhenArbocChanges) {
   install();
   copy_consumer();
   configure("Ninja");
-  const Command generate{ARBOC_CMAKE, "--build", built(), "--target", "arm.stamp"};
+  const Command generate{ARBOC_CMAKE, "--build", built(), "--target", "arm_generate"};
   expect_success(generate);
   EXPECT_EQ(expect_success(generate).out.find("Compiling"), std::string::npos);
   fs::last_write_time(folder_ / "opt/bin/arboc", fs::file_time_type::clock::now());

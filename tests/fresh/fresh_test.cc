@@ -20,30 +20,36 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Product {
+  const char* name;
   const char* model;
   std::vector<std::string> functions;
+  Targets targets = {};
 };
 
-/// As `arboc compile models/NAME/NAME.urdf --functions ... -o generated` does it.
+/// As `arboc compile models/MODEL/MODEL.urdf --name NAME --functions ... -o generated` does it.
 Files generate(const Product& product) {
   const std::string name = product.model;
   Diagnostics diagnostics;
   const Model model =
       read_model(ARBOC_SOURCE_DIR "/models/" + name + "/" + name + ".urdf", diagnostics);
   CompileOptions options;
+  if (name != product.name) options.model.name = product.name;
+  options.targets = product.targets;
   for (const std::string& function : product.functions) options.requests.push_back({function});
-  return emit_cpp(target(compile(model, options, diagnostics), options));
+  return emit(target(compile(model, options, diagnostics), options));
 }
 
 std::vector<Product> products() {
-  return {{"double_pendulum", function_names()}, {"ur5", {"rnea", "crba"}}};
+  return {{"double_pendulum", "double_pendulum", function_names()},
+          {"ur5", "ur5", {"rnea", "crba"}},
+          {"double_pendulum_c", "double_pendulum", {"rnea", "crba", "aba"}, {false, true}}};
 }
 
 class Generated : public testing::TestWithParam<Product> {};
 
 TEST_P(Generated, EqualsRegeneration) {
   if (!kTracesLikeCommitted) GTEST_SKIP() << "committed output is that of an arboc built by g++";
-  const std::string folder = std::string(ARBOC_SOURCE_DIR "/generated/") + GetParam().model;
+  const std::string folder = std::string(ARBOC_SOURCE_DIR "/generated/") + GetParam().name;
   const Files files = generate(GetParam());
   if (updating()) fs::remove_all(folder);
   for (const auto& [path, bytes] : files) expect_golden(folder + "/" + path, bytes);
@@ -82,11 +88,11 @@ TEST_P(Generated, NamesNoMachine) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Products, Generated, testing::ValuesIn(products()),
-                         [](const auto& at) { return std::string(at.param.model); });
+                         [](const auto& at) { return std::string(at.param.name); });
 
 TEST(GeneratedFolder, HoldsNothingElse) {
   std::set<std::string> known{"README.md"};
-  for (const Product& product : products()) known.insert(product.model);
+  for (const Product& product : products()) known.insert(product.name);
   for (const auto& entry : fs::directory_iterator(ARBOC_SOURCE_DIR "/generated"))
     EXPECT_TRUE(known.contains(entry.path().filename())) << entry.path();
 }

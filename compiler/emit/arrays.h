@@ -1,0 +1,39 @@
+// Which arrays a piece of a program needs, for the parameters of the function made of it.
+#pragma once
+#include <set>
+
+#include "program/program.h"
+
+namespace arboc {
+
+/// Arrays that a piece of code reads or writes, in the order of the function's parameters.
+struct Arrays {
+  std::set<int> inputs, outputs;
+  bool work = false;
+
+  void add(const Arrays& other) {
+    inputs.insert(other.inputs.begin(), other.inputs.end());
+    outputs.insert(other.outputs.begin(), other.outputs.end());
+    work = work || other.work;
+  }
+  void read(const Operand& x) {
+    if (x.place == Operand::Place::kInput) inputs.insert(x.port);
+    if (x.place == Operand::Place::kSlot) work = true;
+  }
+  void store(const Store& s) {
+    outputs.insert(s.port);
+    read(s.value);
+  }
+  void chunk(const Chunk& chunk) {
+    for (const Statement& s : chunk.statements) {
+      for (const ProgramTerm& t : s.terms) {
+        read(t.a);
+        if (t.product) read(t.b);
+      }
+      for (const Store& x : s.stores) store(x);
+      work = work || s.slot >= 0;
+    }
+  }
+};
+
+}  // namespace arboc
