@@ -1,5 +1,5 @@
-# `cmake --install`: the program, the runtime's headers, the CMake package.  The templates travel
-# inside the program.  The same package stands in the build folder, for find_package with
+# `cmake --install`: the program, the runtime's headers, the CMake package, the Python package.  The
+# templates travel inside the program.  The same package stands in the build folder, for find_package with
 # arboc_DIR=BUILD/cmake.
 include(CMakePackageConfigHelpers)
 
@@ -9,6 +9,8 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/arboc)
 install(TARGETS arboc arboc_runtime EXPORT arbocTargets)
 install(EXPORT arbocTargets NAMESPACE arboc:: DESTINATION ${package})
 install(DIRECTORY runtime/arboc DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY python/arboc DESTINATION lib/python3/dist-packages
+        FILES_MATCHING PATTERN "*.py" PATTERN "*.hpp")
 install(FILES README.md NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 
@@ -32,15 +34,15 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "compiler from robot models to specialised
 set(CPACK_PACKAGE_DESCRIPTION
     "arboc reads the description of an articulated body (URDF) and writes C++ that computes the
 dynamics of just that body: inverse and forward dynamics, mass matrix, kinematics, momentum, and
-their derivatives.  The package has the program, its runtime headers and a CMake package with
-arboc_add_model().")
+their derivatives.  The package has the program, its runtime headers, a CMake package with
+arboc_add_model(), and a Python package.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++ | c++-compiler, cmake, libeigen3-dev")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++ | c++-compiler, cmake, libeigen3-dev, python3-numpy")
 if(PROJECT_IS_TOP_LEVEL)
   include(CPack)
 endif()

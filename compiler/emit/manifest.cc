@@ -14,7 +14,9 @@ using nlohmann::ordered_json;
 ordered_json describe(const Argument& a) {
   ordered_json json;
   json["name"] = a.name;
-  json["shape"] = a.cols == 1 ? ordered_json{a.rows} : ordered_json{a.rows, a.cols};
+  json["shape"] = a.scalar      ? ordered_json::array()
+                  : a.cols == 1 ? ordered_json{a.rows}
+                                : ordered_json{a.rows, a.cols};
   json["unit"] = a.unit;
   json["meaning"] = a.meaning;
   return json;

@@ -66,10 +66,15 @@ Outcome run_section(const Section& section, const std::string& folder, const std
   RunOptions options;
   options.folder = folder;
   const char* path = std::getenv("PATH");
-  options.environment = {{"PATH", prefix + "/bin:" + (path ? path : "/usr/bin:/bin")},
+  const std::string bin = folder + "/bin";  // python3: the one that has numpy
+  fs::create_directory(bin);
+  if (*ARBOC_PYTHON) fs::create_symlink(ARBOC_PYTHON, bin + "/python3");
+  options.environment = {{"PATH", bin + ":" + prefix + "/bin:" + (path ? path : "/usr/bin:/bin")},
                          {"CMAKE_PREFIX_PATH", prefix},
                          {"CMAKE_BUILD_TYPE", "Release"},
-                         {"CMAKE_GENERATOR", "Ninja"}};
+                         {"CMAKE_GENERATOR", "Ninja"},
+                         {"PYTHONPATH", prefix + "/lib/python3/dist-packages"},
+                         {"ARBOC_CACHE", folder + "/cache"}};
   return run_program({"bash", "-e", "-c", section.script}, options);
 }
 
@@ -86,6 +91,8 @@ TEST_P(EmbeddingPage, DoesWhatItSays) {
   const auto all = sections();
   ASSERT_TRUE(all.contains(GetParam())) << "no such section";
   const Section& section = all.at(GetParam());
+  if (std::string(GetParam()) == "Python" && !*ARBOC_PYTHON)
+    GTEST_SKIP() << "no python3 with numpy";
   ASSERT_FALSE(section.script.empty() || section.output.empty());
   const TempDir prefix, folder;
   const Outcome installed =
@@ -104,7 +111,7 @@ TEST_P(EmbeddingPage, DoesWhatItSays) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sections, EmbeddingPage, testing::Values("CMake", "C and CasADi"),
+INSTANTIATE_TEST_SUITE_P(Sections, EmbeddingPage, testing::Values("CMake", "C and CasADi", "Python"),
                          [](const auto& c) { return single_word(c.param); });
 
 }  // namespace

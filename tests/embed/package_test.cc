@@ -275,7 +275,8 @@ TEST_F(Package, IsADebianPackage) {
   const std::string files = expect_success({"dpkg-deb", "-c", package}).out;
   for (const char* file :
        {"./usr/bin/arboc\n", "./usr/include/arboc/scalar.hpp\n", "arboc/arbocConfig.cmake\n",
-        "arboc/arbocAddModel.cmake\n", "./usr/share/doc/arboc/copyright\n"})
+        "arboc/arbocAddModel.cmake\n", "./usr/lib/python3/dist-packages/arboc/__init__.py\n",
+        "./usr/share/doc/arboc/copyright\n"})
     EXPECT_NE(files.find(file), std::string::npos) << file << "\n" << files;
   EXPECT_EQ(files.find(ARBOC_SOURCE_DIR), std::string::npos);
 }
