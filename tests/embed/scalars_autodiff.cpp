@@ -3,9 +3,11 @@
 #include <ur5/ur5_raw.hpp>
 #include <ur5/ur5_rnea.hpp>
 
+#include <Eigen/Core>
 #include <cmath>
 #include <cstdio>
-#include <unsupported/Eigen/AutoDiff>
+
+#include <unsupported/Eigen/AutoDiff>  // wants Eigen/Core before it
 
 namespace {
 

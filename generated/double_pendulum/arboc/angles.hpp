@@ -5,7 +5,9 @@
 
 #include "scalar.hpp"
 
-#if defined(__GNUC__)
+// Where the processor has vectors of double; elsewhere, as on a microcontroller, one by one.
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__) || defined(__VSX__))
+#define ARBOC_ANGLES_IN_LANES
 #include "pack.hpp"
 #endif
 
@@ -32,7 +34,7 @@ class Angles {
   int n_;
 };
 
-#if defined(__GNUC__)
+#if defined(ARBOC_ANGLES_IN_LANES)
 
 namespace detail {
 

@@ -211,7 +211,7 @@ template <class S, int N>
 ARBOC_INLINE Pack<S, N> sqrt(const Pack<S, N>& x) {
   constexpr int bytes = N * static_cast<int>(sizeof(S));
   constexpr bool doubles = sizeof(S) == sizeof(double);
-  using Vector = typename Pack<S, N>::Vector;
+  using Vector [[maybe_unused]] = typename Pack<S, N>::Vector;
 #if ARBOC_HAS_BUILTIN(__builtin_elementwise_sqrt)
   return Pack<S, N>(Vector(__builtin_elementwise_sqrt(x.v)));
 #else
