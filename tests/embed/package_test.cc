@@ -239,6 +239,18 @@ TEST_F(Package, RebuildsWhenArbocChanges) {
   EXPECT_NE(expect_success(generate).out.find("Compiling arm.urdf"), std::string::npos);
 }
 
+/// apps/ as somebody would copy it; one of them is built.
+TEST_F(Package, ServesTheExamples) {
+  install();
+  fs::copy(ARBOC_SOURCE_DIR "/apps", folder_ / "apps");
+  fs::create_directories(folder_ / "models/ur5");
+  fs::copy_file(model_file("ur5"), folder_ / "models/ur5/ur5.urdf");
+  expect_success({ARBOC_CMAKE, "-S", folder_ / "apps", "-B", built(), "-G", "Ninja",
+                  "-DCMAKE_PREFIX_PATH=" + (folder_ / "opt"), "-DCMAKE_BUILD_TYPE=None"});
+  expect_success({ARBOC_CMAKE, "--build", built(), "--target", "inverse_kinematics"});
+  expect_success({built() + "/inverse_kinematics", "20"});
+}
+
 TEST_F(Package, SaysWhatIsWrong) {
   install();
   const auto complaint = [&](const std::string& call) {
