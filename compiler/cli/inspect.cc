@@ -146,18 +146,21 @@ int run_inspect(const Common& common, bool count_ops) {
   if (count_ops) {
     check_size(model, common.compile.max_dof);
     if (!common.json)
-      fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", "function", "total", "mul",
-                 "add", "fma", "div", "sqrt", "sincos");
+      fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6} {:>8}\n", "function", "total",
+                 "mul", "add", "fma", "div", "sqrt", "sincos", "in lanes");
     for (const Request& request : asked) {
-      const OpCount n = compile_function(request, setup).program.ops;
+      const CompiledFunction f = compile_function(request, setup);
+      const OpCount n = f.program.ops;
       const std::string function = arboc::name(request);
       check_interrupt();
       if (common.json)
         json["ops"][function] = {{"mul", n.mul}, {"add", n.add},   {"fma", n.fma},
                                  {"div", n.div}, {"sqrt", n.sqrt}, {"sincos", n.sincos}};
       else
-        fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", function, n.total(), n.mul,
-                   n.add, n.fma, n.div, n.sqrt, n.sincos);
+        fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6} {:>8}\n", function, n.total(),
+                   n.mul, n.add, n.fma, n.div, n.sqrt, n.sincos,
+                   f.lanes ? fmt::format("{}", f.lanes->program.ops.total()) : "-");
+      if (common.json && f.lanes) json["ops"][function]["lanes"] = f.lanes->program.ops.total();
     }
   }
   if (common.json) fmt::print("{}\n", json.dump(1, ' ', true));
