@@ -70,7 +70,7 @@ arm::Tangent controller(double t, const Motion& is) {
   const arm::Tangent a = d.a + kKd * (d.v - is.v) + kKp * (d.q - is.q);
   arm::Tangent tau = arm::rnea(is.q, is.v, a);
   for (int i = 0; i < arm::nv; ++i)
-    tau[i] = std::clamp(tau[i], -arm::tau_limit[i], arm::tau_limit[i]);
+    tau[i] = std::clamp(tau[i], arm::tau_lower[i], arm::tau_upper[i]);
   return tau;
 }
 

@@ -8,7 +8,6 @@
 #include "base/number.h"
 #include "emit/names.h"
 #include "external.h"
-#include "functions/lane_trace.h"
 #include "passes/passes.h"
 #include "record.h"
 
@@ -19,38 +18,9 @@ namespace {
 Traced trace_of(const Request& request, const Setup& setup, const LoweringOptions& lowering) {
   try {
     return trace(request, setup, lowering);
-  } catch (const InputError& e) {
-    throw InputError(fmt::format("{}: {}", printable(setup.model.file), e.what()));
+  } catch (const AbsentError& e) {
+    throw AbsentError(fmt::format("{}: {}", printable(setup.model.file), e.what()));
   }
-}
-
-/// Keeps the cheapest program in lanes if it is cheaper than the plain one.
-void put_in_lanes(const Request& request, const Setup& setup, CompiledFunction& f) {
-  int least = f.program.ops.cost();
-  for (LoweringOptions lowering : lowerings(request.function)) {
-    lowering.regroup = lowering.regroup && setup.simplify.regroup;
-    if (!setup.simplify.frames && lowering.frames != f.lowering.frames) continue;
-    std::optional<Graph> traced = trace_in_lanes(request, setup, lowering, f.patterns);
-    if (!traced) continue;
-    Graph graph = run_passes(std::move(*traced), setup.simplify.fuse);
-    Program program = schedule(graph);
-    if (program.ops.cost() >= least) continue;
-    least = program.ops.cost();
-    f.lanes = {lowering, std::move(graph), std::move(program)};
-  }
-}
-
-/// The groups of limbs in lanes, in one line.
-std::string limbs_text(const Setup& setup, const CompiledLanes& lanes) {
-  const DynamicTree tree = lower(setup, lanes.lowering);
-  std::vector<std::string> groups;
-  for (const LimbGroup& group : limbs_in_lanes(setup, lanes.lowering)) {
-    std::vector<std::string> roots;
-    for (const auto& limb : group.limb)
-      roots.push_back(tree.body[static_cast<size_t>(limb[0])].link);
-    groups.push_back(fmt::format("{} ({} joints each)", fmt::join(roots, ", "), group.parts()));
-  }
-  return fmt::format("Limbs in lanes: {}.", fmt::join(groups, "; "));
 }
 
 }  // namespace
@@ -67,11 +37,9 @@ CompiledFunction compile_function(const Request& request, const Setup& setup) {
     Program program = schedule(graph);
     if (!first && program.ops.total() >= best.program.ops.total()) continue;
     first = false;
-    best = {
-        request, asked, lowering, std::move(graph), std::move(traced.patterns), std::move(program),
-        {}};
+    best = {request,           asked, lowering, std::move(graph), std::move(traced.patterns),
+            std::move(program)};
   }
-  if (setup.simplify.limbs) put_in_lanes(request, setup, best);
   return best;
 }
 
@@ -109,12 +77,32 @@ void warn_of_absent_forces(const Setup& setup, Diagnostics& diagnostics) {
 
 }  // namespace
 
+void report_left_out(const Request& request, const AbsentError& why, Diagnostics& diagnostics) {
+  std::string text = why.what();  // FILE: error: ...
+  const std::string mark = ": error: ";
+  const size_t at = text.find(mark);
+  diagnostics.report({Severity::kWarning,
+                      text.substr(0, at),
+                      {},
+                      name(request),
+                      "left out: " + text.substr(at + mark.size()),
+                      ""});
+}
+
 Compilation compile(const Model& model, const CompileOptions& options, Diagnostics& diagnostics) {
   Compilation result{resolve(configure(model, options.model, diagnostics), options.function), {}};
   check_size(result.setup.model, options.max_dof);
   warn_of_absent_forces(result.setup, diagnostics);
-  for (const Request& request : options.requests)
-    result.functions.push_back(compile_function(request, result.setup));
+  for (const Request& request : options.requests) {
+    try {
+      result.functions.push_back(compile_function(request, result.setup));
+    } catch (const AbsentError& e) {
+      if (!options.leave_out_absent ||
+          (&request == &options.requests.back() && result.functions.empty()))
+        throw;
+      report_left_out(request, e, diagnostics);
+    }
+  }
   return result;
 }
 
@@ -155,7 +143,6 @@ void add_changed(const FunctionOptions& options, std::vector<std::string>& chang
   if (!options.simplify.frames) without.emplace_back("frames");
   if (!options.simplify.regroup) without.emplace_back("regroup");
   if (!options.simplify.fuse) without.emplace_back("fuse");
-  if (!options.simplify.limbs) without.emplace_back("limbs");
   add("without", without);
   if (options.iterated) changed.emplace_back("--iterated");
 }
@@ -164,6 +151,7 @@ std::vector<std::string> changed_options(const CompileOptions& compile_options) 
   const ModelOptions& options = compile_options.model;
   std::vector<std::string> changed;
   if (options.base == Base::kFloating) changed.emplace_back("--base floating");
+  if (options.base == Base::kFixed) changed.emplace_back("--base fixed");
   if (options.order == JointOrder::kAlphabetical)
     changed.emplace_back("--joint-order alphabetical");
   if (options.mimic == MimicPolicy::kIndependent) changed.emplace_back("--mimic independent");
@@ -172,6 +160,7 @@ std::vector<std::string> changed_options(const CompileOptions& compile_options) 
   if (options.snap != ModelOptions().snap) changed.push_back("--snap " + shortest(options.snap));
   for (const Lock& lock : options.locks) changed.push_back("--lock " + text(lock));
   if (!options.root.empty()) changed.push_back("--root " + options.root);
+  if (!options.hang_from.empty()) changed.push_back("--hang-from " + options.hang_from);
   if (!options.tips.empty())
     changed.push_back(fmt::format("--tip {}", fmt::join(options.tips, ",")));
   add_changed(compile_options.function, changed);
@@ -191,6 +180,28 @@ std::vector<std::string> freedoms_of(JointType type) {
   }
 }
 
+/// Springs, and the postures that the model file names, as tables.
+void describe_postures(const Model& model, const Coordinates& at, TargetModel& target) {
+  const auto add = [&](const std::string& name, const auto& value) {
+    Table table{name, std::vector<double>(static_cast<size_t>(at.nq), 0.0)};
+    for (size_t k = 0; k < model.joints.size(); ++k)
+      if (!model.joints[k].mimic && nq(model.joints[k]) == 1)
+        table.values[static_cast<size_t>(at.joint[k].q)] = value(model.joints[k]);
+    target.limits.push_back(std::move(table));
+  };
+  if (std::any_of(model.joints.begin(), model.joints.end(),
+                  [](const Joint& joint) { return joint.stiffness != 0; })) {
+    add("q_neutral", [](const Joint& joint) { return joint.neutral; });
+    add("stiffness", [](const Joint& joint) { return joint.stiffness; });
+  }
+  for (const Posture& posture : model.postures)
+    add("q_" + identifier(posture.name), [&](const Joint& joint) {
+      const auto found = std::find_if(posture.q.begin(), posture.q.end(),
+                                      [&](const auto& q) { return q.first == joint.name; });
+      return found == posture.q.end() ? 0.0 : found->second;
+    });
+}
+
 void describe_joints(const Model& model, TargetModel& target) {
   const Coordinates at = coordinates(model);
   target.nq = at.nq;
@@ -198,7 +209,8 @@ void describe_joints(const Model& model, TargetModel& target) {
   Table lower{"q_lower", std::vector<double>(static_cast<size_t>(at.nq), -Limits::kNone)};
   Table upper{"q_upper", std::vector<double>(static_cast<size_t>(at.nq), Limits::kNone)};
   Table velocity{"v_limit", std::vector<double>(static_cast<size_t>(at.nv), Limits::kNone)};
-  Table effort{"tau_limit", std::vector<double>(static_cast<size_t>(at.nv), Limits::kNone)};
+  Table tau_lower{"tau_lower", std::vector<double>(static_cast<size_t>(at.nv), -Limits::kNone)};
+  Table tau_upper{"tau_upper", std::vector<double>(static_cast<size_t>(at.nv), Limits::kNone)};
   nlohmann::ordered_json joints = nlohmann::ordered_json::array();
   for (size_t k = 0; k < model.joints.size(); ++k) {
     const Joint& joint = model.joints[k];
@@ -219,13 +231,20 @@ void describe_joints(const Model& model, TargetModel& target) {
         upper.values[static_cast<size_t>(at.joint[k].q)] = joint.limits.upper;
       }
       velocity.values[static_cast<size_t>(at.joint[k].v)] = joint.limits.velocity;
-      effort.values[static_cast<size_t>(at.joint[k].v)] = joint.limits.effort;
+      tau_lower.values[static_cast<size_t>(at.joint[k].v)] = joint.limits.effort_lower;
+      tau_upper.values[static_cast<size_t>(at.joint[k].v)] = joint.limits.effort;
     }
     row["damping"] = joint.damping;
     row["friction"] = joint.friction;
+    if (joint.stiffness != 0) {
+      row["stiffness"] = joint.stiffness;
+      row["neutral"] = joint.neutral;
+    }
+    if (joint.rotor_inertia != 0) row["rotor"] = joint.rotor_inertia;
     joints.push_back(row);
   }
-  target.limits = {lower, upper, velocity, effort};
+  target.limits = {lower, upper, velocity, tau_lower, tau_upper};
+  describe_postures(model, at, target);
   target.manifest_extra = nlohmann::ordered_json{{"joints", joints}}.dump();
 }
 
@@ -240,10 +259,8 @@ TargetModel target(const Compilation& compilation, const CompileOptions& options
   target.source_sha256 = model.source_sha256;
   target.options = changed_options(options);
   describe_joints(model, target);
-  for (const CompiledFunction& f : compilation.functions) {
-    target.functions.push_back({text(f.request), f.signature, f.patterns, f.program, {}});
-    if (f.lanes) target.functions.back().lanes = {limbs_text(setup, *f.lanes), f.lanes->program};
-  }
+  for (const CompiledFunction& f : compilation.functions)
+    target.functions.push_back({text(f.request), f.signature, f.patterns, f.program});
   target.cpp = options.targets.cpp;
   if (options.targets.c)
     for (const CompiledFunction& f : compilation.functions)

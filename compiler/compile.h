@@ -1,6 +1,5 @@
 // The recipe: a model and options in, the target of an emitter out.
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,13 +21,8 @@ struct CompileOptions {
   std::vector<Request> requests;  ///< in the order of emission
   Targets targets;
   int max_dof = 512;              ///< refuse larger models
-};
-
-/// The same function with isomorphic limbs in lanes.
-struct CompiledLanes {
-  LoweringOptions lowering;
-  Graph graph;  ///< after the passes
-  Program program;
+  /// Functions that the model cannot have are left out with a warning, unless these are all.
+  bool leave_out_absent = false;
 };
 
 /// One function on its way: what each stage made of it.
@@ -39,12 +33,13 @@ struct CompiledFunction {
   Graph graph;               ///< after the passes
   std::vector<Pattern> patterns;
   Program program;
-  std::optional<CompiledLanes> lanes;  ///< where cheaper
 };
 
-/// Traces what is asked for over each of its lowerings and keeps the smallest program, and the
-/// smallest with limbs in lanes if that is smaller.
+/// Traces what is asked for over each of its lowerings and keeps the smallest program.
 CompiledFunction compile_function(const Request& request, const Setup& setup);
+
+/// Warns that a function which the model cannot have is left out.
+void report_left_out(const Request& request, const AbsentError& why, Diagnostics& diagnostics);
 
 /// Refuses what cannot be traced: no degrees of freedom, or more than max_dof.
 void check_size(const Model& model, int max_dof);

@@ -22,7 +22,7 @@ namespace {
 struct Arguments {
   Common common;
   std::string out, stage;
-  bool ops = false;
+  InspectOptions inspect;
   EvalOptions eval;
   int states = 100;
   bool in_lanes = false;
@@ -56,8 +56,8 @@ void add_compile(CLI::App& app, Arguments& args) {
       ->type_name("cpp|c|cpp,c");
   auto* print =
       sub->add_option("--print", args.stage, "print a stage to stdout instead of the summary")
-          ->check(quiet(CLI::IsMember({"model", "tree", "limbs", "graph", "program"})))
-          ->type_name("model|tree|limbs|graph|program");
+          ->check(quiet(CLI::IsMember({"model", "tree", "graph", "program"})))
+          ->type_name("model|tree|graph|program");
   sub->callback([out, print] {
     if (out->count() == 0 && print->count() == 0)
       throw CLI::RequiredError("-o DIR (or --print STAGE)");
@@ -73,9 +73,12 @@ void add_inspect(CLI::App& app, Arguments& args) {
       ->expected(0, 1)
       ->type_name("[LIST]")
       ->default_str("");
+  sub->add_flag("--tree", args.inspect.tree,
+                "the dynamic tree: joints J0, J1, ... and links L0, L1, ..., dummy links");
+  sub->add_option("--svg", args.inspect.svg, "draw it")->type_name("FILE");
   add_request_options(*sub, args.common);
   sub->callback([sub, &args] {
-    args.ops = sub->count("--ops") > 0 || !args.common.compile.requests.empty();
+    args.inspect.ops = sub->count("--ops") > 0 || !args.common.compile.requests.empty();
     args.common.functions_option = "--ops";
   });
 }
@@ -151,7 +154,7 @@ void add_bench(CLI::App& app, Arguments& args) {
 
 int dispatch(const CLI::App& app, const Arguments& args) {
   if (app.got_subcommand("compile")) return run_compile(args.common, args.out, args.stage);
-  if (app.got_subcommand("inspect")) return run_inspect(args.common, args.ops);
+  if (app.got_subcommand("inspect")) return run_inspect(args.common, args.inspect);
   if (app.got_subcommand("eval")) return run_eval(args.common, args.eval);
   if (app.got_subcommand("check")) return run_check(args.common, args.states);
   if (args.compiling) return run_bench_compile(args.common);

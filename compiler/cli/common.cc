@@ -57,7 +57,7 @@ void print_diagnostics(const Diagnostics& diagnostics, bool notes) {
 
 Model read(const Common& common, Diagnostics& diagnostics) {
   try {
-    Model model = read_model(common.path, diagnostics);
+    Model model = read_model(common.path, diagnostics, common.anthropometry);
     if (common.strict && diagnostics.warning_count() > 0) {
       diagnostics.promote_warnings();
       throw InputError("");
@@ -74,7 +74,9 @@ Compilation compiled(const Common& common, const CompileOptions& options) {
   Diagnostics diagnostics;
   const Model model = read(common, diagnostics);
   try {
-    Compilation result = compile(model, options, diagnostics);
+    CompileOptions with = options;
+    with.leave_out_absent = asks_by_default(common);
+    Compilation result = compile(model, with, diagnostics);
     print_diagnostics(diagnostics, common.verbose);
     return result;
   } catch (const InputError&) {

@@ -43,6 +43,7 @@ class CleanUp {
 /// Options and arguments of every subcommand.
 struct Common {
   std::string path;
+  std::string anthropometry;  ///< a file with other lengths and masses of a DH table
   CompileOptions compile;
   std::string functions;                         ///< as given; empty: the default
   std::string functions_option = "--functions";  ///< what gave them
@@ -63,6 +64,10 @@ void add_request_options(CLI::App& app, Common& common);
 /// What --functions and the derivative options ask for.  Throws UsageError for an unknown function.
 std::vector<Request> requests(const Common& common);
 
+/// Whether the functions are the default ones, of which those that the model cannot have are left
+/// out.
+bool asks_by_default(const Common& common);
+
 /// Reads the model; prints errors and warnings to stderr.  Throws InputError.
 Model read(const Common& common, Diagnostics& diagnostics);
 
@@ -82,7 +87,12 @@ void progress_done();
 
 // The subcommands; each returns its exit status.
 int run_compile(const Common& common, const std::string& out, const std::string& stage);
-int run_inspect(const Common& common, bool count_ops);
+struct InspectOptions {
+  bool ops = false;   ///< trace and count
+  bool tree = false;  ///< joints and links with their numbers in the dynamic tree
+  std::string svg;    ///< file for a picture of it; empty: none
+};
+int run_inspect(const Common& common, const InspectOptions& options);
 struct EvalOptions {
   std::string function, output;
   std::map<std::string, std::string> files;  ///< of inputs, by name

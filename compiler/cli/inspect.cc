@@ -7,6 +7,7 @@
 #include "base/number.h"
 #include "cli/common.h"
 #include "cli/output.h"
+#include "tree/numbering.h"
 
 namespace arboc::cli {
 namespace {
@@ -40,9 +41,13 @@ ordered_json joint_json(const Model& model, const Coordinates& at, size_t k) {
   row["limits"] = {{"lower", finite(joint.limits.lower)},
                    {"upper", finite(joint.limits.upper)},
                    {"velocity", finite(joint.limits.velocity)},
-                   {"effort", finite(joint.limits.effort)}};
+                   {"effort", finite(joint.limits.effort)},
+                   {"effort_lower", finite(joint.limits.effort_lower)}};
   row["damping"] = joint.damping;
   row["friction"] = joint.friction;
+  row["stiffness"] = joint.stiffness;
+  row["neutral"] = joint.neutral;
+  row["rotor"] = joint.rotor_inertia;
   if (joint.mimic)
     row["mimic"] = {{"joint", model.joints[static_cast<size_t>(joint.mimic->leader)].name},
                     {"multiplier", joint.mimic->multiplier},
@@ -126,10 +131,30 @@ void print_parameters(const Setup& setup) {
   }
 }
 
+/// The dynamic tree in numbers, and drawn.
+void show_tree(const Model& model, const InspectOptions& options, ordered_json& json) {
+  const std::vector<NumberedLink> links = number_links(model);
+  if (!options.svg.empty()) write_one_file(options.svg, draw_svg(model.name, links));
+  if (!options.tree) return;
+  if (json.is_null()) {
+    fmt::print("{}", print(links));
+    return;
+  }
+  json["tree"] = ordered_json::array();
+  for (const NumberedLink& link : links)
+    json["tree"].push_back({{"joint", link.joint},
+                            {"link", link.link},
+                            {"type", link.type},
+                            {"parent", link.parent},
+                            {"branches", link.branches},
+                            {"mass", link.mass},
+                            {"dummy", link.dummy}});
+}
+
 }  // namespace
 
-int run_inspect(const Common& common, bool count_ops) {
-  const std::vector<Request> asked = count_ops ? requests(common) : std::vector<Request>{};
+int run_inspect(const Common& common, const InspectOptions& options) {
+  const std::vector<Request> asked = options.ops ? requests(common) : std::vector<Request>{};
   Diagnostics diagnostics;
   const Model model = configured(common, read(common, diagnostics), diagnostics);
   print_diagnostics(diagnostics, common.verbose || !common.json);
@@ -138,29 +163,36 @@ int run_inspect(const Common& common, bool count_ops) {
     json = describe(model, diagnostics);
   else
     print_text(model);
+  if (options.tree || !options.svg.empty()) show_tree(model, options, json);
   const Setup setup = resolve(model, common.compile.function);
   if (common.json)
     json.update(describe(setup));
   else
     print_parameters(setup);
-  if (count_ops) {
+  if (options.ops) {
     check_size(model, common.compile.max_dof);
     if (!common.json)
-      fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6} {:>8}\n", "function", "total",
-                 "mul", "add", "fma", "div", "sqrt", "sincos", "in lanes");
+      fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", "function", "total", "mul",
+                 "add", "fma", "div", "sqrt", "sincos");
     for (const Request& request : asked) {
-      const CompiledFunction f = compile_function(request, setup);
-      const OpCount n = f.program.ops;
       const std::string function = arboc::name(request);
+      OpCount n;
+      try {
+        n = compile_function(request, setup).program.ops;
+      } catch (const AbsentError& e) {
+        if (!asks_by_default(common)) throw;
+        Diagnostics left_out;
+        report_left_out(request, e, left_out);
+        print_diagnostics(left_out, false);
+        continue;
+      }
       check_interrupt();
       if (common.json)
         json["ops"][function] = {{"mul", n.mul}, {"add", n.add},   {"fma", n.fma},
                                  {"div", n.div}, {"sqrt", n.sqrt}, {"sincos", n.sincos}};
       else
-        fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6} {:>8}\n", function, n.total(),
-                   n.mul, n.add, n.fma, n.div, n.sqrt, n.sincos,
-                   f.lanes ? fmt::format("{}", f.lanes->program.ops.total()) : "-");
-      if (common.json && f.lanes) json["ops"][function]["lanes"] = f.lanes->program.ops.total();
+        fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", function, n.total(), n.mul,
+                   n.add, n.fma, n.div, n.sqrt, n.sincos);
     }
   }
   if (common.json) fmt::print("{}\n", json.dump(1, ' ', true));

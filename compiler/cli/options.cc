@@ -50,11 +50,9 @@ Simplifications parse_without(const std::string& list) {
       simplify.regroup = false;
     else if (word == "fuse")
       simplify.fuse = false;
-    else if (word == "limbs")
-      simplify.limbs = false;
     else
-      throw UsageError(unknown("--without", "there is no simplification", word,
-                               {"frames", "regroup", "fuse", "limbs"}));
+      throw UsageError(
+          unknown("--without", "there is no simplification", word, {"frames", "regroup", "fuse"}));
   }
   return simplify;
 }
@@ -93,6 +91,10 @@ void add_subchain_options(CLI::App& app, Common& common) {
   app.add_option("--root", m.root, "keep what hangs on this link, which becomes the root")
       ->type_name("LINK")
       ->group("Model");
+  app.add_option("--hang-from", m.hang_from,
+                 "hold the body at this link instead: the joints up to the root are reversed")
+      ->type_name("LINK")
+      ->group("Model");
   const auto add_links = [&](const char* name, std::vector<std::string>& links, const char* text) {
     app.add_option_function<std::string>(
            name,
@@ -121,12 +123,18 @@ std::string check_snap(const std::string& text) {
 }  // namespace
 
 void add_model_options(CLI::App& app, Common& common) {
-  app.add_option("model", common.path, "the model file (URDF)")->required()->type_name("MODEL");
+  app.add_option("model", common.path, "the model file (URDF, or a DH table *.dh.toml)")
+      ->required()
+      ->type_name("MODEL");
   ModelOptions& m = common.compile.model;
+  app.add_option("--anthropometry", common.anthropometry,
+                 "lengths and masses in place of those of a DH table")
+      ->type_name("FILE")
+      ->group("Model");
   app.add_option("--base", m.base, "how the root link is attached to the world")
-      ->transform(choice({"fixed", "floating"}))
-      ->default_str("fixed")
-      ->type_name("fixed|floating")
+      ->transform(choice({"file", "fixed", "floating"}))
+      ->default_str("file")
+      ->type_name("file|fixed|floating")
       ->group("Model");
   app.add_option("--mimic", m.mimic, "what mimic joints do")
       ->transform(choice({"follow", "independent"}))
@@ -240,7 +248,7 @@ void add_request_options(CLI::App& app, Common& common) {
       ->group("Functions");
   app.add_option_function<std::string>(
          "--without", [&f](const std::string& given) { f.simplify = parse_without(given); },
-         "simplifications to leave out, to see what they are worth: frames, regroup, fuse, limbs")
+         "simplifications to leave out, to see what they are worth: frames, regroup, fuse")
       ->type_name("LIST")
       ->group("Functions");
   list("--parameters", f.parameters, "LIST",
@@ -258,6 +266,10 @@ void add_compiler_options(CLI::App& app, Common& common) {
       ->group("Compiler");
 }
 
+bool asks_by_default(const Common& common) {
+  return common.functions.empty() && common.compile.requests.empty();
+}
+
 std::vector<Request> requests(const Common& common) {
   static const std::vector<std::string> kDynamics = {
       "fk", "rnea", "gravity", "nle", "crba", "minv", "aba", "rnea_derivatives", "aba_derivatives"};
@@ -267,7 +279,7 @@ std::vector<Request> requests(const Common& common) {
       if (name(known) == name(request)) return;
     list.push_back(request);
   };
-  const bool by_default = common.functions.empty() && common.compile.requests.empty();
+  const bool by_default = asks_by_default(common);
   const std::string text = by_default ? "dynamics" : common.functions;
   for (const std::string& word : split(text)) {
     if (word == "all") {

@@ -125,6 +125,14 @@ void write_folder(const std::string& directory, const std::string& name, const F
     move(staging.path() / "manifest.json", target / "manifest.json");
 }
 
+void write_one_file(const std::string& path, const std::string& bytes) {
+  const fs::path fresh = path + fmt::format(".{}.tmp", getpid());
+  std::error_code ignored;
+  fs::remove(fresh, ignored);
+  write_file(fresh, bytes);
+  move(fresh, path);
+}
+
 void flush_stdout() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout))
     throw OutputError(

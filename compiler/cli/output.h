@@ -13,6 +13,10 @@ namespace arboc::cli {
 /// Throws OutputError.
 void write_folder(const std::string& directory, const std::string& name, const Files& files);
 
+/// Writes the file at `path`, in place of one that is there, whole or not at all.  Throws
+/// OutputError.
+void write_one_file(const std::string& path, const std::string& bytes);
+
 /// Flushes stdout; throws OutputError if any of it was lost.
 void flush_stdout();
 

@@ -41,6 +41,7 @@ void ModelBuilder::start(const Element& element) {
     case Tag::kInertial:
       inertial_ = {};
       inertial_.inertial.location = element.where;
+      inertial_.inertial.element = "<inertial>: ";
       break;
     case Tag::kMass:
       inertial_.has_mass = true;

@@ -113,6 +113,7 @@ void ModelBuilder::read_limit(const Element& element) {
     const AttributeValue& value = element[what];
     if (!value.valid) continue;
     (what[0] == 'e' ? limits.effort : limits.velocity) = value.number[0];
+    if (what[0] == 'e') limits.effort_lower = -limits.effort;
     if (value.number[0] < 0)
       findings_.error(element.fault(
           value.where, fmt::format("{} is negative ({})", what, shortest(value.number[0])),

@@ -44,15 +44,60 @@ const std::vector<Group>& groups() {
        "lengths",
        "m",
        "xyz of the joints' placements, three a joint",
-       {"x", "y", "z"}}};
+       {"x", "y", "z"}},
+      {Kind::kStiffness, "stiffness", "N m/rad, N/m", "of the joints that have springs", {""}},
+      {Kind::kNeutral, "neutral", "rad, m", "where the springs are at rest", {""}}};
   return all;
+}
+
+/// Of a model with named lengths these are its lengths.
+Group group_of(const Model& model, const Group& group) {
+  if (group.kind != Kind::kLength || model.lengths.empty()) return group;
+  return {Kind::kNamedLength, "lengths", "m", "named lengths of the model file", {""}};
+}
+
+enum class Owner { kNobody, kLink, kJoint, kLength };
+Owner owner_of(Kind kind) {
+  switch (kind) {
+    case Kind::kGravity: return Owner::kNobody;
+    case Kind::kMass:
+    case Kind::kCentre:
+    case Kind::kInertia: return Owner::kLink;
+    case Kind::kNamedLength: return Owner::kLength;
+    default: return Owner::kJoint;
+  }
+}
+
+std::string owner_name(const Model& model, Kind kind, int k) {
+  const auto i = static_cast<size_t>(k);
+  switch (owner_of(kind)) {
+    case Owner::kNobody: return "gravity";
+    case Owner::kLink: return model.links[i].name;
+    case Owner::kJoint: return model.joints[i].name;
+    case Owner::kLength: return model.lengths[i].name;
+  }
+  return "";
+}
+
+int length_called(const Model& model, const std::string& name) {
+  std::vector<std::string_view> names;
+  for (size_t k = 0; k < model.lengths.size(); ++k) {
+    if (model.lengths[k].name == name) return static_cast<int>(k);
+    names.emplace_back(model.lengths[k].name);
+  }
+  throw UsageError(unknown("--parameters", "there is no length", name, names));
 }
 
 /// The model's own values of entry `k` (a link or a joint).
 std::vector<double> nominal(const Model& model, Kind kind, int k) {
   const auto list = [](const Vector3<double>& a) { return std::vector<double>{a.x, a.y, a.z}; };
   if (kind == Kind::kGravity) return list(model.gravity);
-  if (kind == Kind::kLength) return list(model.joints[static_cast<size_t>(k)].origin.xyz);
+  if (kind == Kind::kNamedLength) return {model.lengths[static_cast<size_t>(k)].value};
+  if (owner_of(kind) == Owner::kJoint) {
+    const Joint& joint = model.joints[static_cast<size_t>(k)];
+    if (kind == Kind::kLength) return list(joint.origin.xyz);
+    return {kind == Kind::kStiffness ? joint.stiffness : joint.neutral};
+  }
   const Inertial& inertial = *model.links[static_cast<size_t>(k)].inertial;
   if (kind == Kind::kMass) return {inertial.mass};
   if (kind == Kind::kCentre) return list(inertial.origin.xyz);
@@ -60,14 +105,24 @@ std::vector<double> nominal(const Model& model, Kind kind, int k) {
   return {I.xx, I.xy, I.xz, I.yy, I.yz, I.zz};
 }
 
-/// Links or joints that have the parameter.
+/// Whether a link, joint or length has the parameter.
+bool has(const Model& model, Kind kind, size_t k) {
+  if (owner_of(kind) == Owner::kLink) return model.links[k].inertial.has_value();
+  if (kind == Kind::kLength) return model.joints[k].parent >= 0;
+  if (owner_of(kind) == Owner::kJoint) return model.joints[k].stiffness != 0;
+  return true;
+}
+
+/// Those that have it.
 std::vector<int> candidates(const Model& model, Kind kind) {
+  const Owner owner = owner_of(kind);
+  const size_t n = owner == Owner::kNobody  ? 1
+                   : owner == Owner::kLink  ? model.links.size()
+                   : owner == Owner::kJoint ? model.joints.size()
+                                            : model.lengths.size();
   std::vector<int> result;
-  if (kind == Kind::kGravity) return {0};
-  const size_t n = kind == Kind::kLength ? model.joints.size() : model.links.size();
   for (size_t k = 0; k < n; ++k)
-    if (kind == Kind::kLength ? model.joints[k].parent >= 0 : model.links[k].inertial.has_value())
-      result.push_back(static_cast<int>(k));
+    if (has(model, kind, k)) result.push_back(static_cast<int>(k));
   return result;
 }
 
@@ -77,15 +132,24 @@ void choose(const Model& model, const Group& group, const std::optional<std::str
   std::vector<int> wanted = candidates(model, group.kind);
   if (which && group.kind == Kind::kGravity)
     throw UsageError("--parameters: gravity is one for all links: write gravity");
+  const Owner owner = owner_of(group.kind);
   if (which) {
-    const int k = group.kind == Kind::kLength ? joint_called(model, *which, "--parameters")
-                                              : link_called(model, *which, "--parameters");
+    const int k = owner == Owner::kJoint  ? joint_called(model, *which, "--parameters")
+                  : owner == Owner::kLink ? link_called(model, *which, "--parameters")
+                                          : length_called(model, *which);
     if (std::find(wanted.begin(), wanted.end(), k) == wanted.end())
       throw UsageError(printable(
           fmt::format("--parameters: {} has no {}: {}",
-                      named(group.kind == Kind::kLength ? "joint" : "link", *which), group.name,
-                      group.kind == Kind::kLength ? "it holds the base" : "it has no <inertial>")));
+                      named(owner == Owner::kJoint ? "joint" : "link", *which), group.name,
+                      group.kind == Kind::kLength ? "it holds the base"
+                      : owner == Owner::kJoint    ? "it has no spring"
+                                                  : "it has no <inertial>")));
     wanted = {k};
+  } else if (wanted.empty() && owner == Owner::kJoint && group.kind != Kind::kLength) {
+    throw UsageError(
+        fmt::format("--parameters: no joint of the model has a spring, so there is "
+                    "no {}",
+                    group.name));
   }
   for (const int k : wanted)
     if (std::find(chosen.begin(), chosen.end(), k) == chosen.end()) chosen.push_back(k);
@@ -95,11 +159,9 @@ Parameter make(const Model& model, const Group& group, std::vector<int> of) {
   std::sort(of.begin(), of.end());
   Parameter parameter{group.kind, group.name, group.unit, group.meaning, std::move(of), {}, {}};
   for (const int k : parameter.of) {
-    const std::string owner = group.kind == Kind::kGravity ? "gravity"
-                              : group.kind == Kind::kLength
-                                  ? model.joints[static_cast<size_t>(k)].name
-                                  : model.links[static_cast<size_t>(k)].name;
-    for (const char* entry : group.entries) parameter.labels.push_back(owner + "." + entry);
+    const std::string owner = owner_name(model, group.kind, k);
+    for (const std::string entry : group.entries)
+      parameter.labels.push_back(entry.empty() ? owner : owner + "." + entry);
     for (const double x : nominal(model, group.kind, k)) parameter.nominal.push_back(x);
   }
   return parameter;
@@ -147,7 +209,8 @@ std::vector<Parameter> resolve_parameters(const Model& model,
   std::vector<std::vector<int>> chosen(groups().size());
   for (const std::string& word : words) {
     const size_t colon = word.find(':');
-    const std::string group = word.substr(0, colon);
+    std::string group = word.substr(0, colon);
+    if (group == "cgs") group = "centres";
     const auto found = std::find_if(groups().begin(), groups().end(),
                                     [&](const Group& g) { return group == g.name; });
     if (found == groups().end()) {
@@ -158,44 +221,96 @@ std::vector<Parameter> resolve_parameters(const Model& model,
     const auto g = static_cast<size_t>(found - groups().begin());
     std::optional<std::string> which;
     if (colon != std::string::npos) which = word.substr(colon + 1);
-    choose(model, groups()[g], which, chosen[g]);
+    choose(model, group_of(model, groups()[g]), which, chosen[g]);
   }
   std::vector<Parameter> parameters;
   for (size_t g = 0; g < groups().size(); ++g)
-    if (!chosen[g].empty()) parameters.push_back(make(model, groups()[g], chosen[g]));
+    if (!chosen[g].empty())
+      parameters.push_back(make(model, group_of(model, groups()[g]), chosen[g]));
   return parameters;
 }
+
+namespace {
+
+/// The model's numbers while parameters take the place of some.
+template <class S>
+struct Changed {
+  NumbersOf<S> numbers;
+  std::vector<LinkNumbers<S>> links;
+  std::vector<bool> changed;  // per link
+};
+
+/// What is written in terms of named lengths.
+template <class S>
+void set_lengths(const Model& model, const std::vector<S>& values, Changed<S>& draft) {
+  const auto length = [&](int k) { return values[static_cast<size_t>(k)]; };
+  for (size_t k = 0; k < model.joints.size(); ++k)
+    if (!model.joints[k].origin.terms.empty())
+      draft.numbers.origin[k] = xyz_with<S>(model.joints[k].origin, length);
+  for (size_t k = 0; k < model.links.size(); ++k) {
+    const auto& inertial = model.links[k].inertial;
+    if (!inertial || inertial->origin.terms.empty()) continue;
+    draft.links[k].centre = xyz_with<S>(inertial->origin, length);
+    draft.changed[k] = true;
+  }
+}
+
+template <class S>
+void set(Kind kind, size_t k, const S* x, Changed<S>& draft) {
+  switch (kind) {
+    case Kind::kGravity: draft.numbers.gravity = {x[0], x[1], x[2]}; return;
+    case Kind::kLength: draft.numbers.origin[k] = {x[0], x[1], x[2]}; return;
+    case Kind::kStiffness: draft.numbers.forces[k].stiffness = x[0]; return;
+    case Kind::kNeutral: draft.numbers.forces[k].neutral = x[0]; return;
+    case Kind::kNamedLength: return;
+    case Kind::kMass: draft.links[k].mass = x[0]; break;
+    case Kind::kCentre: draft.links[k].centre = {x[0], x[1], x[2]}; break;
+    case Kind::kInertia: draft.links[k].inertia = {x[0], x[3], x[5], x[1], x[2], x[4]}; break;
+  }
+  draft.changed[k] = true;
+}
+
+/// All named lengths, of which some are parameters.
+template <class S>
+std::vector<S> lengths_with(const Model& model, const Parameter& parameter,
+                            const std::vector<S>& values) {
+  std::vector<S> all;
+  for (const NamedLength& length : model.lengths) all.push_back(S(length.value));
+  for (size_t i = 0; i < parameter.of.size(); ++i)
+    all[static_cast<size_t>(parameter.of[i])] = values[i];
+  return all;
+}
+
+}  // namespace
 
 template <class S>
 NumbersOf<S> numbers_with(const Model& model, const JointForces& forces,
                           const std::vector<Parameter>& parameters,
                           const std::vector<std::vector<S>>& values) {
-  NumbersOf<S> result = cast_numbers<S>(numbers(model, forces));
-  std::vector<LinkNumbers<S>> links(model.links.size());
-  std::vector<bool> changed(model.links.size(), false);
-  for (size_t k = 0; k < links.size(); ++k) {
+  Changed<S> draft{cast_numbers<S>(numbers(model, forces)), {}, {}};
+  draft.links.resize(model.links.size());
+  draft.changed.assign(model.links.size(), false);
+  for (size_t k = 0; k < model.links.size(); ++k) {
     if (!model.links[k].inertial) continue;
     const Inertial& inertial = *model.links[k].inertial;
-    links[k] = {S(inertial.mass), cast<S>(inertial.origin.xyz), cast<S>(inertial.inertia)};
+    draft.links[k] = {S(inertial.mass), cast<S>(inertial.origin.xyz), cast<S>(inertial.inertia)};
   }
+  // Centres that are parameters themselves do not follow lengths, so lengths come first.
+  for (size_t p = 0; p < parameters.size(); ++p)
+    if (parameters[p].kind == Kind::kNamedLength)
+      set_lengths(model, lengths_with(model, parameters[p], values[p]), draft);
   for (size_t p = 0; p < parameters.size(); ++p) {
     const S* x = values[p].data();
     for (const int owner : parameters[p].of) {
-      const auto k = static_cast<size_t>(owner);
-      const Kind kind = parameters[p].kind;
-      if (kind == Kind::kGravity) result.gravity = {x[0], x[1], x[2]};
-      if (kind == Kind::kLength) result.origin[k] = {x[0], x[1], x[2]};
-      if (kind == Kind::kMass) links[k].mass = x[0];
-      if (kind == Kind::kCentre) links[k].centre = {x[0], x[1], x[2]};
-      if (kind == Kind::kInertia) links[k].inertia = {x[0], x[3], x[5], x[1], x[2], x[4]};
-      if (kind != Kind::kGravity && kind != Kind::kLength) changed[k] = true;
+      set(parameters[p].kind, static_cast<size_t>(owner), x, draft);
       x += parameters[p].size();
     }
   }
-  for (size_t k = 0; k < links.size(); ++k)
-    if (changed[k])
-      result.moments[k] = moments_of(links[k], rotation(model.links[k].inertial->origin));
-  return result;
+  for (size_t k = 0; k < draft.links.size(); ++k)
+    if (draft.changed[k])
+      draft.numbers.moments[k] =
+          moments_of(draft.links[k], rotation(model.links[k].inertial->origin));
+  return draft.numbers;
 }
 
 template NumbersOf<double> numbers_with(const Model&, const JointForces&,
@@ -206,8 +321,23 @@ template NumbersOf<Expr> numbers_with(const Model&, const JointForces&,
                                       const std::vector<std::vector<Expr>>&);
 template DynamicTreeOf<Expr> lower(const Model&, const LoweringOptions&, const NumbersOf<Expr>&);
 
+namespace {
+
+void set_lengths(const std::vector<double>& values, Model& model) {
+  const auto length = [&](int k) { return values[static_cast<size_t>(k)]; };
+  for (size_t k = 0; k < values.size(); ++k) model.lengths[k].value = values[k];
+  for (Joint& joint : model.joints) joint.origin.xyz = xyz_with<double>(joint.origin, length);
+  for (Link& link : model.links)
+    if (link.inertial) link.inertial->origin.xyz = xyz_with<double>(link.inertial->origin, length);
+}
+
+}  // namespace
+
 Model model_with(Model model, const std::vector<Parameter>& parameters,
                  const std::vector<std::vector<double>>& values) {
+  for (size_t p = 0; p < parameters.size(); ++p)
+    if (parameters[p].kind == Kind::kNamedLength)
+      set_lengths(lengths_with(model, parameters[p], values[p]), model);
   for (size_t p = 0; p < parameters.size(); ++p) {
     const double* x = values[p].data();
     for (const int owner : parameters[p].of) {
@@ -215,6 +345,9 @@ Model model_with(Model model, const std::vector<Parameter>& parameters,
       switch (parameters[p].kind) {
         case Kind::kGravity: model.gravity = {x[0], x[1], x[2]}; break;
         case Kind::kLength: model.joints[k].origin.xyz = {x[0], x[1], x[2]}; break;
+        case Kind::kStiffness: model.joints[k].stiffness = x[0]; break;
+        case Kind::kNeutral: model.joints[k].neutral = x[0]; break;
+        case Kind::kNamedLength: break;
         case Kind::kMass: model.links[k].inertial->mass = x[0]; break;
         case Kind::kCentre: model.links[k].inertial->origin.xyz = {x[0], x[1], x[2]}; break;
         case Kind::kInertia:

@@ -11,11 +11,23 @@ namespace arboc {
 
 /// One input of generated functions: `size` numbers of each of some links or joints.
 struct Parameter {
-  enum class Kind { kGravity, kMass, kCentre, kInertia, kLength };
+  enum class Kind {
+    kGravity,
+    kMass,
+    kCentre,
+    kInertia,
+    kLength,
+    kNamedLength,
+    kStiffness,
+    kNeutral
+  };
   Kind kind = Kind::kGravity;
-  std::string name;  ///< of the input: gravity masses centres inertias lengths
+  /// Of the input: gravity masses centres inertias lengths stiffness neutral.
+  std::string name;
   std::string unit, meaning;
-  std::vector<int> of;              ///< links (masses, centres, inertias) or joints (lengths)
+  /// Links (masses, centres, inertias), joints (lengths of placements, stiffness, neutral), or
+  /// named lengths of the model (lengths, where it has any).
+  std::vector<int> of;
   std::vector<std::string> labels;  ///< one an entry: `forearm.mass`
   std::vector<double> nominal;      ///< as the model has them, one an entry
 
@@ -23,8 +35,8 @@ struct Parameter {
   int size() const;
 };
 
-/// `words`: gravity, masses, centres, inertias, lengths; with `:LINK` or `:JOINT` for that one only
-/// (several words of a group add up).  Throws UsageError.
+/// `words`: gravity, masses, centres (or cgs), inertias, lengths, stiffness, neutral; with `:LINK`,
+/// `:JOINT` or `:LENGTH` for that one only (several words of a group add up).  Throws UsageError.
 std::vector<Parameter> resolve_parameters(const Model& model,
                                           const std::vector<std::string>& words);
 

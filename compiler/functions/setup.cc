@@ -23,18 +23,36 @@ std::vector<int> links_called(const Model& model, const std::vector<std::string>
   return links;
 }
 
+/// The frames that the file wants to be seen; of files that do not say, the links that move.
+std::vector<int> frames_of(const Model& model, const std::vector<int>& moving) {
+  std::vector<int> links;
+  for (size_t k = 0; k < model.links.size(); ++k)
+    if (model.links[k].reported) links.push_back(static_cast<int>(k));
+  return links.empty() ? moving : links;
+}
+
+/// Springs that are not asked for have no parameters.
+void check_springs(const Setup& setup) {
+  for (const Parameter& p : setup.parameters)
+    if ((p.kind == Parameter::Kind::kStiffness || p.kind == Parameter::Kind::kNeutral) &&
+        !setup.joint_forces.stiffness)
+      throw UsageError(
+          fmt::format("--parameters: {} acts only with --joint-forces stiffness", p.name));
+}
+
 }  // namespace
 
 Setup resolve(Model model, const FunctionOptions& options) {
   Setup setup;
   for (const Joint& joint : model.joints)
     if (nv(joint.type) > 0) setup.moving.push_back(joint.child);
-  setup.frames =
-      options.frames.empty() ? setup.moving : links_called(model, options.frames, "--frames");
+  setup.frames = options.frames.empty() ? frames_of(model, setup.moving)
+                                        : links_called(model, options.frames, "--frames");
   setup.loads = links_called(model, options.external_forces, "--external-forces");
   setup.axes = options.axes;
   setup.joint_forces = options.joint_forces;
   setup.parameters = resolve_parameters(model, options.parameters);
+  check_springs(setup);
   setup.iterated = options.iterated;
   setup.simplify = options.simplify;
   const Coordinates at = coordinates(model);

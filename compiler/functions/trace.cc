@@ -25,7 +25,7 @@ void refuse_singular(const DynamicTree& tree, const std::vector<Expr>& pivots,
       const int first = b.v, last = b.v + freedoms(b.motion);
       return first <= static_cast<int>(k) && static_cast<int>(k) < last;
     });
-    throw InputError(
+    throw AbsentError(
         fmt::format("error: joint '{}': what it moves has no inertia about its axis, so {} has no "
                     "solution (give its links mass, fix the joint, or leave {} out)",
                     printable(body->joint), function, function));
@@ -38,9 +38,22 @@ void refuse_massless(const DynamicTree& tree, const Setup& setup, const std::str
   for (const Parameter& p : setup.parameters)
     if (p.kind == Parameter::Kind::kMass) return;
   if (total_mass<double>(tree) == 0)
-    throw InputError(fmt::format(
+    throw AbsentError(fmt::format(
         "error: nothing that moves has mass, so {} has no value (give links mass, or leave {} out)",
         function, function));
+}
+
+/// Of a file without masses there is kinematics only.
+void refuse_dynamics(const Model& model, const std::string& function) {
+  constexpr const char* kKinematic[] = {"fk",        "frame_",     "joint_jacobians",
+                                        "integrate", "difference", "regressor"};
+  if (!model.kinematic) return;
+  for (const char* name : kKinematic)
+    if (function.starts_with(name)) return;
+  throw AbsentError(fmt::format(
+      "error: the file gives no mass, cg and inertia of anything, so there is no {} (give them, or "
+      "ask for fk, frame_jacobian and the like)",
+      function));
 }
 
 /// A trace on its way: inputs, and outputs by name.
@@ -73,6 +86,7 @@ class Tracer {
   /// Results of a function of the catalogue; keeps its pivots.
   std::vector<std::vector<Expr>> evaluate(const Signature& s) {
     refuse_massless(nominal_, setup_, s.name);
+    refuse_dynamics(setup_.model, s.name);
     std::vector<std::vector<Expr>> results =
         setup_.parameters.empty()
             ? arboc::run(s, nominal_, setup_, inputs_)

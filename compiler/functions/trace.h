@@ -4,9 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostic.h"
 #include "functions/catalogue.h"
 
 namespace arboc {
+
+/// The model has not what a function needs: its inertia is singular, or it has no masses.
+class AbsentError : public InputError {
+ public:
+  using InputError::InputError;
+};
 
 struct Traced {
   Graph graph;                    ///< one output port an output (of matrices the non-zeros), then
@@ -15,7 +22,7 @@ struct Traced {
 };
 
 /// Runs the algorithm with T = Expr; derivatives are taken on the graph.  Throws InputError that
-/// names a joint if forward dynamics is singular for every q.
+/// names a joint if forward dynamics is singular for every q (AbsentError).
 Traced trace(const Request& request, const Setup& setup, const LoweringOptions& lowering);
 
 /// Inputs and outputs of one state, dense and row-major, by argument name.

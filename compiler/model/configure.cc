@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/diagnostic.h"
 #include "base/exact_trig.h"
 #include "base/number.h"
 #include "model/configure_steps.h"
@@ -29,6 +30,63 @@ void add_floating_root(Model& model) {
   root.type = JointType::kFloating;
   root.child = model.root;
   model.joints.push_back(root);
+}
+
+/// The items but those at `gone`, and in `renumbered` the new index of each old one, or -1.
+template <class Item>
+void erase(std::vector<Item>& items, const std::vector<char>& gone, std::vector<int>& renumbered) {
+  std::vector<Item> rest;
+  renumbered.assign(items.size(), -1);
+  for (size_t k = 0; k < items.size(); ++k) {
+    if (gone[k]) continue;
+    renumbered[k] = static_cast<int>(rest.size());
+    rest.push_back(std::move(items[k]));
+  }
+  items = std::move(rest);
+}
+
+/// One joint of the type in place of those by which the root moves freely; false if there are none.
+bool join_free_root(Model& model, JointType type) {
+  std::vector<char> gone_joint(model.joints.size()), gone_link(model.links.size());
+  int first = -1;
+  for (size_t k = 0; k < model.joints.size(); ++k) {
+    const Joint& joint = model.joints[k];
+    if (!joint.free_root) continue;
+    if (first < 0) {
+      first = static_cast<int>(k);
+      continue;
+    }
+    Joint& root = model.joints[static_cast<size_t>(first)];
+    if (root.child != joint.parent)
+      throw UsageError("--base: one of the coordinates of the root is locked");
+    gone_link[static_cast<size_t>(joint.parent)] = gone_joint[k] = true;
+    root.child = joint.child;
+  }
+  if (first < 0) return false;
+  Joint root;
+  root.name = "root_joint";
+  root.type = type;
+  root.parent = model.joints[static_cast<size_t>(first)].parent;
+  root.child = model.joints[static_cast<size_t>(first)].child;
+  root.location = model.joints[static_cast<size_t>(first)].location;
+  model.joints[static_cast<size_t>(first)] = root;
+  std::vector<int> new_link, new_joint;
+  erase(model.links, gone_link, new_link);
+  erase(model.joints, gone_joint, new_joint);
+  model.root = new_link[static_cast<size_t>(model.root)];
+  for (Joint& joint : model.joints) {
+    if (joint.parent >= 0) joint.parent = new_link[static_cast<size_t>(joint.parent)];
+    joint.child = new_link[static_cast<size_t>(joint.child)];
+    if (joint.mimic) joint.mimic->leader = new_joint[static_cast<size_t>(joint.mimic->leader)];
+  }
+  return true;
+}
+
+void attach_root(Model& model, Base base) {
+  if (base == Base::kFile) return;
+  const bool floats = base == Base::kFloating;
+  const bool was_free = join_free_root(model, floats ? JointType::kFloating : JointType::kFixed);
+  if (!was_free && floats) add_floating_root(model);
 }
 
 /// Snaps the angles of `pose`; says what changed, and what a coarser tolerance would change.
@@ -153,7 +211,11 @@ Model configure(Model model, const ModelOptions& options, Diagnostics& diagnosti
   if (!options.locks.empty()) lock_joints(model, options.locks, diagnostics);
   if (!options.root.empty() || !options.tips.empty())
     keep_subchain(model, options.root, options.tips, diagnostics);
-  if (options.base == Base::kFloating) add_floating_root(model);
+  if (!options.hang_from.empty()) {
+    if (options.expand) expand_joints(model, diagnostics);
+    reroot(model, options.hang_from);
+  }
+  attach_root(model, options.base);
   if (options.expand) expand_joints(model, diagnostics);
   if (options.continuous == ContinuousAs::kCosSin) unbind_continuous_joints(model, diagnostics);
   reorder(model, depth_first(model, options.order));

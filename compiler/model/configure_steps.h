@@ -19,6 +19,12 @@ void lock_joints(Model& model, const std::vector<Lock>& locks, Diagnostics& diag
 void keep_subchain(Model& model, const std::string& root, const std::vector<std::string>& tips,
                    Diagnostics& diagnostics);
 
+/// Hangs the body from the link: the joints between it and the root are reversed, with the same
+/// coordinates, names and frames of links; what held the root (the world, or the joints of a free
+/// root) holds the link.  Throws UsageError for an unknown link and for planar, floating and
+/// spherical joints on the way.
+void reroot(Model& model, const std::string& link);
+
 /// Planar, floating and spherical joints become multi-axis ones that reach the same places: planar
 /// x, y, then a turn about its axis; floating x, y, z, then turns about z, y, x; spherical turns
 /// about z, y, x.  Says so in notes.

@@ -13,14 +13,21 @@ void Findings::report(Severity severity, Finding finding) {
                : severity == Severity::kWarning ? warnings_
                                                 : notes_;
   if (++count > kKept) return;
-  kept_.push_back({severity, file_, finding.where, std::move(finding.element),
-                   std::move(finding.message), std::move(finding.hint)});
+  kept_.push_back({severity, finding.file.empty() ? file_ : std::move(finding.file), finding.where,
+                   std::move(finding.element), std::move(finding.message),
+                   std::move(finding.hint)});
+}
+
+void Findings::hand_over(Findings& to) const {
+  for (const Diagnostic& d : kept_)
+    to.report(d.severity, {d.location, d.element, d.message, d.hint, d.file});
 }
 
 void Findings::deliver(Diagnostics& diagnostics) const {
   std::vector<Diagnostic> sorted = kept_;
-  const auto place = [](const Diagnostic& d) {
-    return std::tuple(d.severity == Severity::kNote, d.location.line, d.location.column);
+  const auto place = [this](const Diagnostic& d) {
+    return std::tuple(d.severity == Severity::kNote, d.file != file_, d.location.line,
+                      d.location.column);
   };
   std::stable_sort(sorted.begin(), sorted.end(),
                    [&](const Diagnostic& a, const Diagnostic& b) { return place(a) < place(b); });

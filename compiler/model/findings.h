@@ -17,6 +17,7 @@ struct Finding {
   std::string element;  ///< "joint 'elbow'", or empty
   std::string message;
   std::string hint{};
+  std::string file{};  ///< that it is in; empty: the one of the Findings
 };
 
 class Findings {
@@ -31,6 +32,9 @@ class Findings {
   void error(Finding finding) { report(Severity::kError, std::move(finding)); }
   void warning(Finding finding) { report(Severity::kWarning, std::move(finding)); }
   void note(Finding finding) { report(Severity::kNote, std::move(finding)); }
+
+  /// Adds what was found here to what is found in another file.
+  void hand_over(Findings& to) const;
 
   int error_count() const { return errors_; }
   /// So many errors that looking for more is of no use.

@@ -144,7 +144,9 @@ void lock_joints(Model& model, const std::vector<Lock>& locks, Diagnostics& diag
     fixed.child = joint.child;
     fixed.location = joint.location;
     fixed.origin = joint.origin;
-    fixed.origin.xyz = joint.origin.xyz + rotation(joint.origin) * moved.p;
+    const Vector3<double> slid = rotation(joint.origin) * moved.p;
+    fixed.origin.xyz = joint.origin.xyz + slid;
+    fixed.origin.rest = joint.origin.rest + slid;
     fixed.origin.turn = joint.origin.turn * moved.R;
     joint = fixed;
   }

@@ -100,8 +100,9 @@ class MassCheck {
     const Symmetric3<double>& I = link.inertial->inertia;
     const auto check = [&](const char* what, double value) {
       if (value < 0)
-        findings_.error({link.inertial->location, named("link", link.name),
-                         fmt::format("<inertial>: {} is negative ({})", what, shortest(value))});
+        findings_.error(
+            {link.inertial->location, named("link", link.name),
+             fmt::format("{}{} is negative ({})", link.inertial->element, what, shortest(value))});
     };
     check("mass", link.inertial->mass);
     check("moment of inertia ixx", I.xx);
@@ -151,17 +152,19 @@ class MassCheck {
     if (indefinite(own.inertia)) {
       const int top = top_[at(k)];
       const bool harmful = is_moving_top(top) && indefinite(bodies_[at(top)].inertia);
-      findings_.report(
-          harmful ? Severity::kError : Severity::kWarning,
-          {own.location, element, "<inertial>: inertia tensor is not positive definite",
-           "no body has negative principal moments; check ixy, ixz and iyz"});
+      findings_.report(harmful ? Severity::kError : Severity::kWarning,
+                       {own.location, element,
+                        std::string(own.element) + "inertia tensor is not positive definite",
+                        "no body has negative principal moments; check ixy, ixz and iyz"});
     } else if (moments[2] > (1 + kTriangle) * (moments[0] + moments[1])) {
-      findings_.warning({own.location, element,
-                         "<inertial>: inertia tensor violates the triangle inequality",
-                         "of a real body no principal moment exceeds the sum of the other two"});
+      findings_.warning(
+          {own.location, element,
+           std::string(own.element) + "inertia tensor violates the triangle inequality",
+           "of a real body no principal moment exceeds the sum of the other two"});
     }
     if (own.mass == 0 && !is_zero(own.inertia))
-      findings_.warning({own.location, element, "<inertial>: mass is 0 but inertia is not"});
+      findings_.warning(
+          {own.location, element, std::string(own.element) + "mass is 0 but inertia is not"});
   }
 
   void check_emptiness(int k) {
@@ -174,9 +177,9 @@ class MassCheck {
                                      named("joint", joint.name)),
                          "the mass matrix is singular: no forward dynamics"});
     } else if (bodies_[at(k)].mass == 0 && link.inertial && is_zero(link.inertial->inertia)) {
-      findings_.warning(
-          {link.inertial->location, named("link", link.name),
-           fmt::format("<inertial>: mass is 0, but {} moves it", named("joint", joint.name))});
+      findings_.warning({link.inertial->location, named("link", link.name),
+                         fmt::format("{}mass is 0, but {} moves it", link.inertial->element,
+                                     named("joint", joint.name))});
     }
   }
 

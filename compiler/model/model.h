@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/diagnostic.h"
@@ -17,13 +18,38 @@
 
 namespace arboc {
 
+/// A length of the model that has a name: placements may be written in terms of it.
+struct NamedLength {
+  std::string name;
+  double value = 0;  ///< m
+};
+
+/// How a placement follows a named length.
+struct LengthTerm {
+  int length = 0;           ///< index into Model::lengths
+  Vector3<double> slope{};  ///< of xyz, m/m
+};
+
 /// Placement of a frame B in a frame A, as written: p_AB = xyz, R_AB = Rz(yaw) Ry(pitch) Rx(roll)
 /// turn.
 struct Pose {
   Vector3<double> xyz;  ///< m
   Vector3<double> rpy;  ///< rad; roll, pitch, yaw about the fixed axes x, y, z of A
   Matrix3<double> turn = Matrix3<double>::identity();  ///< a rotation: of a joint that was locked
+  /// Where there are terms: xyz = rest + sum of slope * length.
+  std::vector<LengthTerm> terms{};
+  Vector3<double> rest{};  ///< m
 };
+
+/// xyz of a pose whose lengths are others; S is double or a symbol, `length` returns one by index.
+template <class S, class Length>
+Vector3<S> xyz_with(const Pose& pose, const Length& length) {
+  if (pose.terms.empty()) return cast<S>(pose.xyz);
+  Vector3<S> p = cast<S>(pose.rest);
+  for (const LengthTerm& term : pose.terms)
+    p = p + length(term.length) * cast<S>(term.slope);
+  return p;
+}
 
 /// R_AB of a pose: sines and cosines by exact_sincos, entries within 4 eps of 0 or +-1 cleaned.
 Matrix3<double> rotation(const Pose& pose);
@@ -33,12 +59,14 @@ struct Inertial {
   double mass = 0;  ///< kg
   Symmetric3<double> inertia;  ///< kg m^2, about the centre of mass, axes of the inertial frame
   Location location{};
+  const char* element = "";  ///< what it is called in the file, as "<inertial>: "
 };
 
 struct Link {
   std::string name;
   std::optional<Inertial> inertial;
   Location location;
+  bool reported = false;  ///< a frame that the author wants to see: of those fk reports by default
 };
 
 enum class JointType {
@@ -65,6 +93,7 @@ struct Limits {
   double upper = kNone;     ///< rad or m
   double velocity = kNone;  ///< rad/s or m/s
   double effort = kNone;    ///< N m or N
+  double effort_lower = -kNone;  ///< N m or N
 };
 
 /// q = multiplier * q_leader + offset.
@@ -103,6 +132,13 @@ struct Joint {
   double rotor_inertia = 0;  ///< kg m^2 or kg, of the drive as the joint feels it (gear squared)
   std::optional<Mimic> mimic;
   Location location;
+  bool free_root = false;  ///< one of those by which the author lets the root move freely
+};
+
+/// Places of joints that the author gave a name; joints that are not listed are at 0.
+struct Posture {
+  std::string name;
+  std::vector<std::pair<std::string, double>> q{};  ///< joint, and rad or m
 };
 
 /// Invariants after validation: names of links and of joints are unique; every link but `root` is
@@ -116,6 +152,9 @@ struct Model {
   std::vector<Joint> joints;
   int root = -1;                         ///< link index
   Vector3<double> gravity{0, 0, -9.81};  ///< m/s^2, in the root's fixed frame
+  std::vector<NamedLength> lengths{};
+  std::vector<Posture> postures{};
+  bool kinematic = false;  ///< the file gives no masses at all, so dynamics would be zeros
 };
 
 /// Coordinates of one joint: 0/0 fixed, 1/1 revolute, continuous, prismatic and helical, 2/1
@@ -139,7 +178,9 @@ int quaternion_at(JointType type);
 /// coordinate axis nearest to the plane (the first one if several are).
 Matrix3<double> axis_frame(const Vector3<double>& axis);
 
-enum class Base { kFixed, kFloating };
+/// How the root is attached to the world: as the file says (URDF: fixed), fixed, or by a joint with
+/// a quaternion.
+enum class Base { kFile, kFixed, kFloating };
 enum class MimicPolicy { kFollow, kIndependent };
 enum class JointOrder { kFile, kAlphabetical };
 enum class ContinuousAs { kAngle, kCosSin };
@@ -151,7 +192,7 @@ struct Lock {
 };
 
 struct ModelOptions {
-  Base base = Base::kFixed;
+  Base base = Base::kFile;
   MimicPolicy mimic = MimicPolicy::kFollow;
   JointOrder order = JointOrder::kFile;
   ContinuousAs continuous = ContinuousAs::kAngle;
@@ -159,6 +200,7 @@ struct ModelOptions {
   std::string name;     ///< replaces the model's name; empty: keep
   std::vector<Lock> locks;
   std::string root;               ///< link whose subtree is kept; empty: the model's root
+  std::string hang_from;          ///< link that the whole body hangs from; empty: the root
   std::vector<std::string> tips;  ///< links that the kept chains lead to; empty: all
   double snap =
       1e-9;  ///< rad; written angles this close to a multiple of 15 degrees become it; 0: off
@@ -166,7 +208,7 @@ struct ModelOptions {
 
 /// Applies the options: snaps written angles and axis components (each reported as a note), frees
 /// mimic followers, makes locked joints fixed ones, keeps the subchain between root and tips,
-/// attaches the root to the world by a floating joint ("root_joint"), takes joints of several
+/// hangs it from another link, attaches the root to the world by a floating joint ("root_joint"), takes joints of several
 /// freedoms as chains of axes, gives continuous joints cosine and sine for coordinates, makes a
 /// chain of joints of every helical, universal and multi-axis one, and sorts links and joints depth
 /// first (children in file order, or by joint name bytewise).  Afterwards parents come before

@@ -24,6 +24,8 @@ std::string text(const Pose& pose) {
   if (!is_identity(pose.turn))
     out += fmt::format(" turn({} {} {})", text(column(pose.turn, 0)), text(column(pose.turn, 1)),
                        text(column(pose.turn, 2)));
+  for (const LengthTerm& term : pose.terms)
+    out += fmt::format(" length({}: {})", term.length, text(term.slope));
   return out;
 }
 
@@ -33,6 +35,8 @@ std::string print(const Model& model) {
   std::string out =
       fmt::format("model {}: {} links, {} joints, gravity({})\n", printable(model.name),
                   model.links.size(), model.joints.size(), text(model.gravity));
+  for (const NamedLength& length : model.lengths)
+    out += fmt::format("length '{}': {}\n", printable(length.name), shortest(length.value));
   for (const Link& link : model.links) {
     out += fmt::format("link '{}'", printable(link.name));
     if (link.inertial) {
@@ -63,7 +67,14 @@ std::string print(const Model& model) {
     if (std::isfinite(joint.limits.effort))
       out += fmt::format(" effort({})", shortest(joint.limits.effort));
     if (joint.damping != 0) out += fmt::format(" damping({})", shortest(joint.damping));
+    if (std::isfinite(joint.limits.effort_lower) &&
+        joint.limits.effort_lower != -joint.limits.effort)
+      out += fmt::format(" effort_lower({})", shortest(joint.limits.effort_lower));
     if (joint.friction != 0) out += fmt::format(" friction({})", shortest(joint.friction));
+    if (joint.stiffness != 0)
+      out += fmt::format(" stiffness({}) neutral({})", shortest(joint.stiffness),
+                         shortest(joint.neutral));
+    if (joint.rotor_inertia != 0) out += fmt::format(" rotor({})", shortest(joint.rotor_inertia));
     if (joint.mimic)
       out += fmt::format(" mimic('{}' * {} + {})",
                          printable(model.joints[static_cast<size_t>(joint.mimic->leader)].name),

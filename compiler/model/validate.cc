@@ -176,7 +176,8 @@ void validate(Model& model, Findings& findings) {
   }
   if (!links_unique || !is_resolved(model) || model.links.empty()) return;
   const std::vector<int> joint_of = joints_onto(model);
-  if (each_link_has_one_parent(model, joint_of, findings) && is_one_tree(model, joint_of, findings))
+  if (each_link_has_one_parent(model, joint_of, findings) &&
+      is_one_tree(model, joint_of, findings) && !model.kinematic)
     check_masses(model, findings);
 }
 

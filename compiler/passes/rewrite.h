@@ -11,10 +11,9 @@ std::vector<char> alive(const Region& region);
 
 /// How the outputs and the live nodes use each node.
 struct Uses {
-  std::vector<int> in_sums;        ///< as an operand of additions of the same width
+  std::vector<int> in_sums;        ///< as an operand of additions
   std::vector<int> elsewhere;      ///< as an operand of other nodes, or as an output
-  /// Outputs that want the negated value, or lanes of it, less those that do not.
-  std::vector<int> minus_outputs;
+  std::vector<int> minus_outputs;  ///< outputs that want the negated value, less those that do not
 };
 Uses count_uses(const Region& region);
 

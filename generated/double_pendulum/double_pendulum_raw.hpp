@@ -27,7 +27,9 @@ inline constexpr double q_upper[2] = {
     6.283185, 6.283185};
 inline constexpr double v_limit[2] = {
     10.0, 10.0};
-inline constexpr double tau_limit[2] = {
+inline constexpr double tau_lower[2] = {
+    -10.0, -10.0};
+inline constexpr double tau_upper[2] = {
     10.0, 10.0};
 
 /// Frames in the order of fk and of the frame functions: row k of what has one row a frame.

@@ -27,7 +27,9 @@ inline constexpr double q_upper[6] = {
     6.283185, 6.283185, 6.283185, 6.283185, 6.283185, 6.283185};
 inline constexpr double v_limit[6] = {
     3.141593, 3.141593, 3.141593, 3.141593, 3.141593, 3.141593};
-inline constexpr double tau_limit[6] = {
+inline constexpr double tau_lower[6] = {
+    -150.0, -150.0, -150.0, -28.0, -28.0, -28.0};
+inline constexpr double tau_upper[6] = {
     150.0, 150.0, 150.0, 28.0, 28.0, 28.0};
 
 /// Frames in the order of fk and of the frame functions: row k of what has one row a frame.

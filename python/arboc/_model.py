@@ -19,7 +19,8 @@ class Model:
     joint_names              moving joints in the order of their coordinates
     frame_names              rows of fk and of the functions of frames
     q_lower, q_upper         limits as the model states them (rad, m), infinite where it has none
-    v_limit, tau_limit       (rad/s, m/s; N m, N)
+    v_limit                  (rad/s, m/s)
+    tau_lower, tau_upper     (N m, N)
     functions                names; each is a method
     manifest                 all that arboc says of the model and its functions
     """
@@ -30,7 +31,8 @@ class Model:
         self.joint_names = [j["name"] for j in manifest["joints"] if "mimic" not in j]
         self.frame_names = list(manifest["frames"])
         self.parameters = {p["name"]: np.array(p["nominal"]) for p in manifest["parameters"]}
-        for name, sign in (("q_lower", -1), ("q_upper", 1), ("v_limit", 1), ("tau_limit", 1)):
+        for name, sign in (("q_lower", -1), ("q_upper", 1), ("v_limit", 1), ("tau_lower", -1),
+                           ("tau_upper", 1)):
             values = manifest["limits"][name]
             setattr(self, name, np.array([sign * np.inf if x is None else x for x in values]))
         self.functions = [f["name"] for f in manifest["functions"]]

@@ -142,7 +142,7 @@ class Numbers(unittest.TestCase):
         for words in ("Inverse dynamics", "q  (6,)  rad, m", "tau  (6,)  N m, N", "(N, ...)"):
             self.assertIn(words, text)
         self.assertEqual(self.ur5.joint_names[1], "shoulder_lift")
-        np.testing.assert_allclose(self.ur5.tau_limit, [150, 150, 150, 28, 28, 28])
+        np.testing.assert_allclose(self.ur5.tau_upper, [150, 150, 150, 28, 28, 28])
         self.assertIn("rnea", repr(self.ur5))
 
     def test_a_batch_costs_what_it_costs_in_cpp(self):

@@ -106,7 +106,7 @@ TEST(CliOptions, Parameters) {
         "--parameters: there is no group 'mass' (did you mean 'masses'?)"},
        {{"--parameters", "colour"},
         "--parameters: there is no group 'colour' (known are 'gravity', 'masses', 'centres', "
-        "'inertias', 'lengths')"},
+        "'inertias', 'lengths', 'stiffness', 'neutral')"},
        {{"--parameters", "masses:upper"},
         "--parameters: there is no link 'upper' (known are 'base', 'upper_rod', 'lower_rod')"},
        {{"--parameters", "lengths:elbo"},

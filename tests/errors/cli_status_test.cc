@@ -36,8 +36,8 @@ TEST(CliStatus, UsageErrorsExitWith1) {
        "--functions: there is no function 'nope' (known are 'fk', 'rnea', 'gravity', 'nle', "},
       {{"compile", kUr5, "-o", "x", "--functions", ""}, "--functions"},
       {{"compile", kUr5, "-o", "x", "--functions", ","}, "--functions"},
-      {{"inspect", kUr5, "--base", "loose"}, "--base: expected fixed or floating, not 'loose'"},
-      {{"inspect", kUr5, "--base", "1"}, "--base: expected fixed or floating, not '1'"},
+      {{"inspect", kUr5, "--base", "loose"}, "--base: expected file or fixed or floating, not 'loose'"},
+      {{"inspect", kUr5, "--base", "1"}, "--base: expected file or fixed or floating, not '1'"},
       {{"inspect", kUr5, "--snap", "-1"}, "--snap: expected 0 to 0.1 (rad), not -1"},
       {{"inspect", kUr5, "--snap", "nan"}, "--snap: expected 0 to 0.1 (rad), not nan"},
       {{"inspect", kUr5, "--snap", "1"}, "--snap: expected 0 to 0.1 (rad), not 1"},
@@ -99,7 +99,7 @@ TEST(CliStatus, HelpIsAnAnswer) {
     const Outcome outcome = run_arboc({command, "--help"});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "");
-    for (const char* part : {"--base fixed|floating ", "--mimic follow|independent ",
+    for (const char* part : {"--base file|fixed|floating ", "--mimic follow|independent ",
                              "--joint-order file|alphabetical ", "--name NAME ", "--snap TOL ",
                              "[1e-09]", "--max-dof N ", "[512]"})
       EXPECT_TRUE(contains(outcome.out, part)) << command << ": " << part << "\n" << outcome.out;

@@ -114,7 +114,7 @@ TEST(Reading, OddPath) {
 
 TEST(Reading, OtherKinds) {
   EXPECT_EQ(try_path("arm.dh.toml").what,
-            "arm.dh.toml: error: this is not a URDF file (TOML models cannot be read)");
+            "arm.dh.toml: error: cannot be opened: No such file or directory");
   EXPECT_EQ(try_path("arm.urdf.xacro").what,
             "arm.urdf.xacro: error: this is a xacro file (run xacro on it first)");
 }

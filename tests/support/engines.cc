@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <filesystem>
 
 #include "frontend/read_model.h"
 
@@ -12,8 +13,13 @@ std::vector<double> list(const Eigen::VectorXd& x) { return {x.data(), x.data() 
 
 }  // namespace
 
+std::string own_model_path(const std::string& name) {
+  const std::string stem = ARBOC_SOURCE_DIR "/models/" + name + "/" + name;
+  return stem + (std::filesystem::exists(stem + ".urdf") ? ".urdf" : ".dh.toml");
+}
+
 Model own_model(const std::string& name, const ModelOptions& options) {
-  return model_from(ARBOC_SOURCE_DIR "/models/" + name + "/" + name + ".urdf", options);
+  return model_from(own_model_path(name), options);
 }
 
 Model model_from(const std::string& path, const ModelOptions& options) {

@@ -12,6 +12,8 @@
 
 namespace arboc::test {
 
+/// The file of a model of models/.
+std::string own_model_path(const std::string& name);
 /// A model of models/, or of a path, configured.
 Model own_model(const std::string& name, const ModelOptions& options = {});
 Model model_from(const std::string& path, const ModelOptions& options = {});
