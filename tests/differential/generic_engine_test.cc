@@ -60,7 +60,7 @@ void expect_agreement(const Model& model, int states) {
 
 struct Case {
   const char* name;
-  Base base = Base::kFixed;
+  Base base = Base::kFile;
   MimicPolicy mimic = MimicPolicy::kFollow;
 };
 
@@ -87,7 +87,13 @@ constexpr Case kCases[] = {{"double_pendulum"},
                            {"all_joints", kFloating, MimicPolicy::kIndependent},
                            {"quadruped"},
                            {"quadruped", kFloating},
-                           {"humanoid", kFloating}};
+                           {"humanoid", kFloating},
+                           {"santos"},
+                           {"santos", kFloating},
+                           {"nine_dof"},
+                           {"arm7_dh"},
+                           {"astronaut_turn"},
+                           {"astronaut_ladder"}};
 
 INSTANTIATE_TEST_SUITE_P(Models, OwnModels, testing::ValuesIn(kCases), [](const auto& c) {
   return std::string(c.param.name) + (c.param.base == kFloating ? "_floating" : "") +
