@@ -8,6 +8,7 @@
 #include "base/number.h"
 #include "emit/names.h"
 #include "external.h"
+#include "functions/lane_trace.h"
 #include "passes/passes.h"
 #include "record.h"
 
@@ -21,6 +22,35 @@ Traced trace_of(const Request& request, const Setup& setup, const LoweringOption
   } catch (const AbsentError& e) {
     throw AbsentError(fmt::format("{}: {}", printable(setup.model.file), e.what()));
   }
+}
+
+/// Keeps the cheapest program in lanes if it is cheaper than the plain one.
+void put_in_lanes(const Request& request, const Setup& setup, CompiledFunction& f) {
+  int least = f.program.ops.cost();
+  for (LoweringOptions lowering : lowerings(request.function)) {
+    lowering.regroup = lowering.regroup && setup.simplify.regroup;
+    if (!setup.simplify.frames && lowering.frames != f.lowering.frames) continue;
+    std::optional<Graph> traced = trace_in_lanes(request, setup, lowering, f.patterns);
+    if (!traced) continue;
+    Graph graph = run_passes(std::move(*traced), setup.simplify.fuse);
+    Program program = schedule(graph);
+    if (program.ops.cost() >= least) continue;
+    least = program.ops.cost();
+    f.lanes = {lowering, std::move(graph), std::move(program)};
+  }
+}
+
+/// The groups of limbs in lanes, in one line.
+std::string limbs_text(const Setup& setup, const CompiledLanes& lanes) {
+  const DynamicTree tree = lower(setup, lanes.lowering);
+  std::vector<std::string> groups;
+  for (const LimbGroup& group : limbs_in_lanes(setup, lanes.lowering)) {
+    std::vector<std::string> roots;
+    for (const auto& limb : group.limb)
+      roots.push_back(tree.body[static_cast<size_t>(limb[0])].link);
+    groups.push_back(fmt::format("{} ({} joints each)", fmt::join(roots, ", "), group.parts()));
+  }
+  return fmt::format("Limbs in lanes: {}.", fmt::join(groups, "; "));
 }
 
 }  // namespace
@@ -37,9 +67,11 @@ CompiledFunction compile_function(const Request& request, const Setup& setup) {
     Program program = schedule(graph);
     if (!first && program.ops.total() >= best.program.ops.total()) continue;
     first = false;
-    best = {request,           asked, lowering, std::move(graph), std::move(traced.patterns),
-            std::move(program)};
+    best = {
+        request, asked, lowering, std::move(graph), std::move(traced.patterns), std::move(program),
+        {}};
   }
+  if (setup.simplify.limbs) put_in_lanes(request, setup, best);
   return best;
 }
 
@@ -143,6 +175,7 @@ void add_changed(const FunctionOptions& options, std::vector<std::string>& chang
   if (!options.simplify.frames) without.emplace_back("frames");
   if (!options.simplify.regroup) without.emplace_back("regroup");
   if (!options.simplify.fuse) without.emplace_back("fuse");
+  if (!options.simplify.limbs) without.emplace_back("limbs");
   add("without", without);
   if (options.iterated) changed.emplace_back("--iterated");
 }
@@ -259,8 +292,10 @@ TargetModel target(const Compilation& compilation, const CompileOptions& options
   target.source_sha256 = model.source_sha256;
   target.options = changed_options(options);
   describe_joints(model, target);
-  for (const CompiledFunction& f : compilation.functions)
-    target.functions.push_back({text(f.request), f.signature, f.patterns, f.program});
+  for (const CompiledFunction& f : compilation.functions) {
+    target.functions.push_back({text(f.request), f.signature, f.patterns, f.program, {}});
+    if (f.lanes) target.functions.back().lanes = {limbs_text(setup, *f.lanes), f.lanes->program};
+  }
   target.cpp = options.targets.cpp;
   if (options.targets.c)
     for (const CompiledFunction& f : compilation.functions)

@@ -1,5 +1,6 @@
 // The recipe: a model and options in, the target of an emitter out.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,13 @@ struct CompileOptions {
   bool leave_out_absent = false;
 };
 
+/// The same function with isomorphic limbs in lanes.
+struct CompiledLanes {
+  LoweringOptions lowering;
+  Graph graph;  ///< after the passes
+  Program program;
+};
+
 /// One function on its way: what each stage made of it.
 struct CompiledFunction {
   Request request;
@@ -33,9 +41,11 @@ struct CompiledFunction {
   Graph graph;               ///< after the passes
   std::vector<Pattern> patterns;
   Program program;
+  std::optional<CompiledLanes> lanes;  ///< where cheaper
 };
 
-/// Traces what is asked for over each of its lowerings and keeps the smallest program.
+/// Traces what is asked for over each of its lowerings and keeps the smallest program, and the
+/// smallest with limbs in lanes if that is smaller.
 CompiledFunction compile_function(const Request& request, const Setup& setup);
 
 /// Warns that a function which the model cannot have is left out.

@@ -56,8 +56,8 @@ void add_compile(CLI::App& app, Arguments& args) {
       ->type_name("cpp|c|cpp,c");
   auto* print =
       sub->add_option("--print", args.stage, "print a stage to stdout instead of the summary")
-          ->check(quiet(CLI::IsMember({"model", "tree", "graph", "program"})))
-          ->type_name("model|tree|graph|program");
+          ->check(quiet(CLI::IsMember({"model", "tree", "limbs", "graph", "program"})))
+          ->type_name("model|tree|limbs|graph|program");
   sub->callback([out, print] {
     if (out->count() == 0 && print->count() == 0)
       throw CLI::RequiredError("-o DIR (or --print STAGE)");

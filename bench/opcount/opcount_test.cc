@@ -1,5 +1,5 @@
 // Recounts the operations of every function of the project's own models and compares them with
-// opcount.txt; ARBOC_UPDATE=1 rewrites the table.
+// opcount.txt, simplifications.txt and limbs.txt; ARBOC_UPDATE=1 rewrites the table.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -91,6 +91,28 @@ TEST(OpCount, OfEachSimplificationEqualsTheTable) {
                                   "without", "-", "frames", "regroup", "fuse", "all");
   for (const Row& row : kModels) table += simplified_lines(row);
   expect_golden(ARBOC_SOURCE_DIR "/bench/opcount/simplifications.txt", table);
+}
+
+/// What limbs in lanes are worth: operations of both programs, and the crossings.
+std::string lane_lines(const Row& row) {
+  const std::string name = row.model;
+  const Setup setup = resolve(model_of(row));
+  std::string out;
+  for (const char* function : {"rnea", "nle", "gravity", "crba", "aba", "rnea_derivatives"}) {
+    const CompiledFunction f = compile_function({function}, setup);
+    if (!f.lanes) continue;
+    const OpCount n = f.lanes->program.ops;
+    out += fmt::format("{:<16} {:<18} {:>6} {:>8} {:>8} {:>6} {:>7}\n", name, function,
+                       f.program.ops.total(), n.total(), n.pack, n.hsum, n.lane);
+  }
+  return out;
+}
+
+TEST(OpCount, OfLimbsInLanesEqualsTheTable) {
+  std::string table = fmt::format("{:<16} {:<18} {:>6} {:>8} {:>8} {:>6} {:>7}\n", "model",
+                                  "function", "plain", "in lanes", "gathers", "sums", "stores");
+  for (const Row& row : kModels) table += lane_lines(row);
+  expect_golden(ARBOC_SOURCE_DIR "/bench/opcount/limbs.txt", table);
 }
 
 TEST(OpCount, EqualsTheTable) {

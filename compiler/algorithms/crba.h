@@ -60,20 +60,21 @@ ARBOC_INLINE Wrench<T> unit_wrench(const Composite<T>& C, int component) {
 /// Adds the subtree of a body to its parent's: with h' = E h
 ///   h += h' + m p,   Sigma += E Sigma E^T + h' p^T + p h'^T + m p p^T.
 /// What is constant where p is (m p, m p p^T) meets the parent's own constants first and folds.
-template <class T>
-ARBOC_INLINE void add_composite(const Body& body, const JointPose<T>& pose, const Composite<T>& C,
-                                Composite<T>& parent) {
+template <class S, class T>
+ARBOC_INLINE void add_composite(const BodyOf<S>& body, const JointPose<T>& pose,
+                                const Composite<T>& C, Composite<T>& parent) {
   const Vector3<T> h = up(body, pose, C.h);
-  const Symmetric3<T> S = up(body, pose, C.Sigma);
+  const Symmetric3<T> I = up(body, pose, C.Sigma);
   const Vector3<T>& p = pose.p;
   const Vector3<T> mp = C.m * p;
-  parent.m = parent.m + C.m;
-  parent.h = (parent.h + mp) + h;
-  parent.Sigma +=
-      Symmetric3<T>{mp.x * p.x, mp.y * p.y, mp.z * p.z, mp.x * p.y, mp.x * p.z, mp.y * p.z};
-  parent.Sigma += Symmetric3<T>{S.xx + (T(2) * p.x) * h.x,      S.yy + (T(2) * p.y) * h.y,
-                                S.zz + (T(2) * p.z) * h.z,      S.xy + (h.x * p.y + h.y * p.x),
-                                S.xz + (h.x * p.z + h.z * p.x), S.yz + (h.y * p.z + h.z * p.y)};
+  const Symmetric3<T> still{mp.x * p.x, mp.y * p.y, mp.z * p.z, mp.x * p.y, mp.x * p.z, mp.y * p.z};
+  const Symmetric3<T> moving{I.xx + (T(2) * p.x) * h.x,      I.yy + (T(2) * p.y) * h.y,
+                             I.zz + (T(2) * p.z) * h.z,      I.xy + (h.x * p.y + h.y * p.x),
+                             I.xz + (h.x * p.z + h.z * p.x), I.yz + (h.y * p.z + h.z * p.y)};
+  parent.m = parent.m + limb_sum(body, C.m);
+  parent.h = (parent.h + limb_sum(body, mp)) + limb_sum(body, h);
+  parent.Sigma += limb_sum(body, still);
+  parent.Sigma += limb_sum(body, moving);
 }
 
 /// Adds what the joint of body k feels of a unit acceleration of coordinate d of body j.

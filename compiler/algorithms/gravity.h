@@ -44,8 +44,8 @@ void gravity(const Tree& tree, GravityWorkspace<T>& work, const T* q, T* g) {
     add_joint_force(body, Wrench<T>{link.m * link.dv, cross(link.h, link.dv)}, g);
     if (body.parent == 0) continue;
     auto& parent = work.link[body.parent];
-    parent.m = parent.m + link.m;
-    parent.h += up(body, work.pose[i], link.h) + link.m * work.pose[i].p;
+    parent.m = parent.m + limb_sum(body, link.m);
+    parent.h += limb_sum(body, up(body, work.pose[i], link.h) + link.m * work.pose[i].p);
   }
 }
 

@@ -33,8 +33,8 @@ T rate(const Body& body, const T* v, int d = 0) {
 }
 
 /// Rz(gamma) Rx(alpha) a.
-template <class T>
-ARBOC_INLINE Vector3<T> out_of_joint(const Body& body, const Vector3<T>& a) {
+template <class S, class T>
+ARBOC_INLINE Vector3<T> out_of_joint(const BodyOf<S>& body, const Vector3<T>& a) {
   return rotate_z(body.gamma, rotate_x(body.alpha, a));
 }
 
@@ -42,13 +42,13 @@ ARBOC_INLINE Vector3<T> out_of_joint(const Body& body, const Vector3<T>& a) {
 template <class T, class S>
 JointPose<T> constant_pose(const BodyOf<S>& body) {
   JointPose<T> pose;
-  pose.turn = {T(body.theta.c), T(body.theta.s)};
+  pose.turn = cast<T>(body.theta);
   pose.p = cast<T>(body.c);
   return pose;
 }
 
-template <class T>
-ARBOC_INLINE PlanarRotation<T> joint_turn(const Body& body, const T& angle) {
+template <class S, class T>
+ARBOC_INLINE PlanarRotation<T> joint_turn(const BodyOf<S>& body, const T& angle) {
   PlanarRotation<T> turn;
   sincos(angle, turn.s, turn.c);
   return compose(body.theta, turn);
@@ -63,7 +63,7 @@ ARBOC_INLINE void update_pose(const BodyOf<S>& body, const T* q, JointPose<T>& p
                               : joint_turn(body, coordinate(body, q));
       break;
     case Motion::kPrismatic: {
-      const Vector3<double> axis = out_of_joint(body, Vector3<double>{0, 0, 1});
+      const Vector3<S> axis = out_of_joint(body, Vector3<S>{S(0), S(0), S(1)});
       pose.p = cast<T>(body.c) + coordinate(body, q) * cast<T>(axis);
       break;
     }
@@ -84,26 +84,26 @@ ARBOC_INLINE void update_pose(const BodyOf<S>& body, const T* q, JointPose<T>& p
 }
 
 /// E a.
-template <class T>
-ARBOC_INLINE Vector3<T> up(const Body& body, const JointPose<T>& pose, Vector3<T> a) {
+template <class S, class T>
+ARBOC_INLINE Vector3<T> up(const BodyOf<S>& body, const JointPose<T>& pose, Vector3<T> a) {
   if (has_quaternion(body.motion)) a = pose.Q * a;
   return out_of_joint(body, rotate_z(pose.turn, a));
 }
 /// E^T a.
-template <class T>
-ARBOC_INLINE Vector3<T> down(const Body& body, const JointPose<T>& pose, const Vector3<T>& a) {
+template <class S, class T>
+ARBOC_INLINE Vector3<T> down(const BodyOf<S>& body, const JointPose<T>& pose, const Vector3<T>& a) {
   Vector3<T> b = rotate_back_z(pose.turn, rotate_back_x(body.alpha, rotate_back_z(body.gamma, a)));
   if (has_quaternion(body.motion)) b = transpose_apply(pose.Q, b);
   return b;
 }
 /// E A E^T.
-template <class T>
-ARBOC_INLINE Symmetric3<T> up(const Body& body, const JointPose<T>& pose, Symmetric3<T> A) {
+template <class S, class T>
+ARBOC_INLINE Symmetric3<T> up(const BodyOf<S>& body, const JointPose<T>& pose, Symmetric3<T> A) {
   if (has_quaternion(body.motion)) A = congruence(pose.Q, A);
   return congruence_z(body.gamma, congruence_x(body.alpha, congruence_z(pose.turn, A)));
 }
-template <class T>
-Matrix3<T> up(const Body& body, const JointPose<T>& pose, Matrix3<T> A) {
+template <class S, class T>
+Matrix3<T> up(const BodyOf<S>& body, const JointPose<T>& pose, Matrix3<T> A) {
   if (has_quaternion(body.motion)) A = pose.Q * A * transpose(pose.Q);
   return congruence_z(body.gamma, congruence_x(body.alpha, congruence_z(pose.turn, A)));
 }

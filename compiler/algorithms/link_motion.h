@@ -96,9 +96,10 @@ ARBOC_INLINE void add_joint_motion(const Body& body, const T* v, const T* a, con
 }
 
 /// Motion of a link from its parent's.
-template <bool kAccelerated, class T>
-ARBOC_INLINE void advance(const Body& body, const JointPose<T>& pose, const LinkMotion<T>& parent,
-                          const T* v, const T* a, LinkMotion<T>& motion) {
+template <bool kAccelerated, class S, class T>
+ARBOC_INLINE void advance(const BodyOf<S>& body, const JointPose<T>& pose,
+                          const LinkMotion<T>& parent, const T* v, const T* a,
+                          LinkMotion<T>& motion) {
   const Vector3<T> W = down(body, pose, parent.w);
   motion.w = W;
   motion.dw = down(body, pose, parent.dw);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/block.h"
+#include "algorithms/limb_sum.h"
 #include "tree/dynamic_tree.h"
 
 namespace arboc {
@@ -30,7 +31,8 @@ void ltdl(const Tree& tree, const std::vector<int>& body, const T* q, Matrix& M,
     for (size_t a = 0; a < row.size(); ++a) {
       const int i = row[a];
       const T l = M(i, k) * D_inverse[k];
-      for (size_t b = a; b < row.size(); ++b) M(row[b], i) = M(row[b], i) - l * M(row[b], k);
+      for (size_t b = a; b < row.size(); ++b)
+        M(row[b], i) = M(row[b], i) - limb_sum(tree, k, i, row[b], l * M(row[b], k));
       M(i, k) = l;
     }
   }
@@ -40,7 +42,7 @@ void ltdl(const Tree& tree, const std::vector<int>& body, const T* q, Matrix& M,
 template <class Tree, class T, class Matrix>
 void solve(const Tree& tree, const Matrix& LD, const T* D_inverse, T* x) {
   for (int k = tree.nv - 1; k >= 0; --k) {
-    for (const int i : tree.coupled[k]) x[i] = x[i] - LD(i, k) * x[k];
+    for (const int i : tree.coupled[k]) x[i] = x[i] - limb_sum(tree, k, i, i, LD(i, k) * x[k]);
     x[k] = x[k] * D_inverse[k];
   }
   for (int k = 0; k < tree.nv; ++k)

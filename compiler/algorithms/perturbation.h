@@ -44,8 +44,8 @@ Vector3<T> joint_velocity(const Body& body, const T* v) {
 /// Joints of several freedoms.  With what the parent gives the body, (W, D, A) and V = [D] + [W]^2:
 ///   q  rate W x t,  angular V t,        linear A x t + V d + 2 (W x t) x l
 ///   v  rate t,      angular (W + w) x t,  linear t x l + (W + w) x d
-template <class T>
-void perturb_freedoms(const Body& body, const JointPose<T>& pose, const LinkMotion<T>& parent,
+template <class S, class T>
+void perturb_freedoms(const BodyOf<S>& body, const JointPose<T>& pose, const LinkMotion<T>& parent,
                       const LinkMotion<T>& motion, const T* v, CoordinatePerturbation<T>* out) {
   const Vector3<T> zero{T(0), T(0), T(0)};
   const Vector3<T> l = joint_velocity(body, v);
@@ -68,8 +68,8 @@ void perturb_freedoms(const Body& body, const JointPose<T>& pose, const LinkMoti
 }
 
 /// Joints of one freedom: the same with t = z, l = 0 or d = z, and V z = U z.
-template <class T>
-void perturb(const Body& body, const JointPose<T>& pose, const LinkMotion<T>& parent,
+template <class S, class T>
+void perturb(const BodyOf<S>& body, const JointPose<T>& pose, const LinkMotion<T>& parent,
              const LinkMotion<T>& motion, const T* v, CoordinatePerturbation<T>* out) {
   const T o(0);
   const Vector3<T> zero{o, o, o};

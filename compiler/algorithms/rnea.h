@@ -98,7 +98,7 @@ void sweep_in(const Tree& tree, const Poses<T>& pose, RneaWorkspace<T>& work, co
     enter_block(q, body.link, "force");
     add_joint_force(body, work.wrench[i], tau);
     if (body.parent == 0) continue;
-    const Wrench<T> carried = up(body, pose[i], work.wrench[i]);
+    const Wrench<T> carried = limb_sum(body, up(body, pose[i], work.wrench[i]));
     Wrench<T>& parent = work.wrench[body.parent];
     parent.f += carried.f;
     parent.n += carried.n;

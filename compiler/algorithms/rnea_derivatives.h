@@ -60,17 +60,18 @@ VelocityMoments<T> velocity_moments(const MassMomentsOf<S>& inertia, const Vecto
 
 /// Adds those of a subtree to its parent's: with d = drift, h' = E h, s = E P + m d
 ///   P += s,   K += E K E^T + s p^T + d h'^T.
-template <class T>
-void add_velocity_moments(const Body& body, const JointPose<T>& pose, const Composite<T>& C,
+template <class S, class T>
+void add_velocity_moments(const BodyOf<S>& body, const JointPose<T>& pose, const Composite<T>& C,
                           const Vector3<T>& drift, const VelocityMoments<T>& own,
                           VelocityMoments<T>& parent) {
   const Vector3<T> h = up(body, pose, C.h);
   const Vector3<T> s = up(body, pose, own.P) + C.m * drift;
   const Matrix3<T> K = up(body, pose, own.K);
-  parent.P += s;
+  parent.P += limb_sum(body, s);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      parent.K(i, j) = parent.K(i, j) + (K(i, j) + (s[i] * pose.p[j] + drift[i] * h[j]));
+      parent.K(i, j) =
+          parent.K(i, j) + limb_sum(body, K(i, j) + (s[i] * pose.p[j] + drift[i] * h[j]));
 }
 
 /// tr(K) a - K a.
@@ -117,8 +118,8 @@ void turn_with_body(const Wrench<T>& F, int component, Wrench<T>& wrench) {
 }
 
 /// Carries the column from body k to its parent.
-template <class T>
-void carry(const Body& body, const JointPose<T>& pose, const Vector3<T>& drift,
+template <class S, class T>
+void carry(const BodyOf<S>& body, const JointPose<T>& pose, const Vector3<T>& drift,
            DerivativeColumn<T>& column) {
   column.q = up(body, pose, column.q);
   column.v = up(body, pose, column.v);
@@ -184,11 +185,11 @@ void derivative_sweep_out(const Tree& tree, RneaDerivativesWorkspace<T>& work, c
 }
 
 /// Adds the subtree of body j to its parent's.
-template <class T>
-void add_subtree(const Body& body, int j, RneaDerivativesWorkspace<T>& work) {
+template <class S, class T>
+void add_subtree(const BodyOf<S>& body, int j, RneaDerivativesWorkspace<T>& work) {
   const JointPose<T>& pose = work.rnea.pose[j];
   const int p = body.parent;
-  const Wrench<T> carried = up(body, pose, work.rnea.wrench[j]);
+  const Wrench<T> carried = limb_sum(body, up(body, pose, work.rnea.wrench[j]));
   work.rnea.wrench[p].f += carried.f;
   work.rnea.wrench[p].n += carried.n;
   add_velocity_moments(body, pose, work.composite[j], work.drift[j], work.moments[j],

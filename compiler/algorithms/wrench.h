@@ -1,6 +1,7 @@
 // Forces on a body, and which of their entries a joint transmits to its coordinates.
 #pragma once
 #include "algorithms/joint.h"
+#include "algorithms/limb_sum.h"
 
 namespace arboc {
 
@@ -12,10 +13,16 @@ struct Wrench {
 };
 
 /// The same about the origin of the parent's frame, in its axes.
-template <class T>
-ARBOC_INLINE Wrench<T> up(const Body& body, const JointPose<T>& pose, const Wrench<T>& wrench) {
+template <class S, class T>
+ARBOC_INLINE Wrench<T> up(const BodyOf<S>& body, const JointPose<T>& pose,
+                          const Wrench<T>& wrench) {
   const Vector3<T> f = up(body, pose, wrench.f);
   return {f, up(body, pose, wrench.n) + cross(pose.p, f)};
+}
+
+template <class T>
+Wrench<T> limb_sum(const Body& body, const Wrench<T>& a) {
+  return {limb_sum(body, a.f), limb_sum(body, a.n)};
 }
 
 /// The entry of (linear, angular) that coordinate d of a joint moves: every joint moves along or

@@ -30,12 +30,12 @@ std::string tree_text(const DynamicTree& tree) {
   for (const BodyOf<double>& b : tree.body) {
     const Symmetric3<double>& S = b.inertia.Sigma;
     out += fmt::format(
-        "  tree.body.push_back({{{{\"\", \"\", {}, Motion::{}, {}, {}, {}, {}, {}, {}, {}, {}}}, "
+        "  tree.body.push_back({{{{\"\", \"\", {}, Motion::{}, {}, {}, {}, {}, {}}}, {}, {}, {}, "
         "{},\n"
         "                       {{{}, {}, {{{}, {}, {}, {}, {}, {}}}}},\n"
         "                       {{{}, {}, {}, {}, {}}}}});\n",
-        b.parent, kMotions[static_cast<int>(b.motion)], text(b.gamma), text(b.alpha), text(b.theta),
-        b.q, b.v, literal(b.multiplier), literal(b.offset), b.circle, text(b.c),
+        b.parent, kMotions[static_cast<int>(b.motion)], b.q, b.v, literal(b.multiplier),
+        literal(b.offset), b.circle, text(b.gamma), text(b.alpha), text(b.theta), text(b.c),
         literal(b.inertia.m), text(b.inertia.h), literal(S.xx), literal(S.yy), literal(S.zz),
         literal(S.xy), literal(S.xz), literal(S.yz), literal(b.forces.damping),
         literal(b.forces.friction), literal(b.forces.stiffness), literal(b.forces.neutral),
@@ -121,8 +121,9 @@ std::string case_text(const std::string& model, size_t index, const TargetFuncti
   }
   std::string out = fmt::format("    case {}: {{\n", index);
   out += fmt::format(
-      "      const auto generated_call = [&](int s, double* y) {{ {}::raw::{}<double>({}); }};\n",
-      model, s.name, arguments);
+      "      const auto generated_call = [&](int s, double* y) {{ {0}::raw::{1}<double>({3}); }};\n"
+      "      const auto plain_call = [&](int s, double* y) {{ {0}::raw::{1}{2}<double>({3}); }};\n",
+      model, s.name, f.lanes ? "_plain" : "", arguments);
   const bool generic = has_generic(compiled, setup);
   if (generic) out += generic_text(compiled, setup.nv);
   out +=
@@ -133,8 +134,8 @@ std::string case_text(const std::string& model, size_t index, const TargetFuncti
                  : fmt::format("        const double* const expected = known + s * {};\n", offset);
   return out + compare_text(model, f) +
          fmt::format(
-             "      }}\n      measure(states, out.data(), generated_call, {}, &result[0], "
-             "&result[1]);\n      break;\n    }}\n",
+             "      }}\n      measure(states, out.data(), generated_call, {}, plain_call,\n"
+             "              &result[0], &result[1], &result[3]);\n      break;\n    }}\n",
              generic ? "generic_call" : "generated_call");
 }
 
@@ -209,11 +210,13 @@ std::vector<BenchRow> time_generic(const Common& common, const Compilation& comp
     const Samples in = samples(f, compilation.setup, kStates);
     std::vector<const double*> pointers;
     for (const auto& x : in.inputs) pointers.push_back(x.data());
-    double result[3];
+    double result[4];
     bench(static_cast<int>(k), kStates, pointers.data(), in.known.data(), result);
     // Forward dynamics amplifies rounding by the condition of M.
     rows.push_back({f.signature.name, result[0], has_generic(f, compilation.setup) ? result[1] : 0,
-                    result[2], f.program.ops.total(), f.signature.positive.empty() ? 1e-10 : 1e-6});
+                    f.lanes ? result[3] : 0, result[2], f.program.ops.total(),
+                    f.lanes ? f.lanes->program.ops.total() : 0,
+                    f.signature.positive.empty() ? 1e-10 : 1e-6});
   }
   progress_done();
   return rows;
@@ -227,8 +230,8 @@ int run_bench(const Common& common) {
       time_generic(common, compilation, target(compilation, options));
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   if (!common.json)
-    fmt::print("{:<30} {:>10} {:>14} {:>12} {:>7} {:>12}\n", "function", "operations",
-               "generated ns", "generic ns", "ratio", "difference");
+    fmt::print("{:<30} {:>10} {:>8} {:>14} {:>12} {:>12} {:>7} {:>12}\n", "function", "operations",
+               "in lanes", "generated ns", "plain ns", "generic ns", "ratio", "difference");
   bool agree = true;
   for (const BenchRow& row : rows) {
     agree = agree && row.difference <= row.allowed;
@@ -238,11 +241,15 @@ int run_bench(const Common& common) {
                       {"generated_ns", row.generated},
                       {"difference", row.difference},
                       {"operations", row.ops}});
+      if (row.plain > 0) json.back()["plain_ns"] = row.plain;
+      if (row.plain > 0) json.back()["operations_in_lanes"] = row.lane_ops;
       if (compared) json.back()["generic_ns"] = row.generic;
       if (compared) json.back()["ratio"] = row.generic / row.generated;
     } else {
-      fmt::print("{:<30} {:>10} {:>14.1f} {:>12} {:>7} {:>12.1e}\n", row.function, row.ops,
-                 row.generated, compared ? fmt::format("{:.1f}", row.generic) : "-",
+      fmt::print("{:<30} {:>10} {:>8} {:>14.1f} {:>12} {:>12} {:>7} {:>12.1e}\n", row.function,
+                 row.ops, row.plain > 0 ? fmt::format("{}", row.lane_ops) : "-", row.generated,
+                 row.plain > 0 ? fmt::format("{:.1f}", row.plain) : "-",
+                 compared ? fmt::format("{:.1f}", row.generic) : "-",
                  compared ? fmt::format("{:.2f}", row.generic / row.generated) : "-",
                  row.difference);
     }

@@ -16,11 +16,12 @@ struct Samples {
 };
 Samples samples(const CompiledFunction& f, const Setup& setup, int states);
 
-/// One function: ns per state of one state a call; `generic` is 0 where there is none.
+/// One function: ns per state of one state a call; `generic` is 0 where there is none, `plain` (the
+/// same without limbs in lanes) where no limbs are in lanes.
 struct BenchRow {
   std::string function;
-  double generated = 0, generic = 0, difference = 0;
-  int ops = 0;
+  double generated = 0, generic = 0, plain = 0, difference = 0;
+  int ops = 0, lane_ops = 0;
   double allowed = 0;  ///< of the difference, relative to the largest entry
 };
 std::vector<BenchRow> time_generic(const Common& common, const Compilation& compilation,

@@ -6,9 +6,18 @@
 #include "cli/common.h"
 #include "cli/output.h"
 #include "emit/emit.h"
+#include "functions/lane_trace.h"
 
 namespace arboc::cli {
 namespace {
+
+/// The groups, and what is done with them.
+void print_limbs(const Setup& setup, const CompiledFunction& f) {
+  const LoweringOptions& lowering = f.lanes ? f.lanes->lowering : f.lowering;
+  fmt::print("# {}\n{}", f.signature.name,
+             print(lower(setup, lowering), limbs_in_lanes(setup, lowering)));
+  if (f.lanes) fmt::print("{}{}", print(f.lanes->graph), print(f.lanes->program));
+}
 
 void print_stage(const Compilation& compilation, const std::string& stage) {
   if (stage == "model") fmt::print("{}", print(compilation.setup.model));
@@ -19,6 +28,7 @@ void print_stage(const Compilation& compilation, const std::string& stage) {
   for (const CompiledFunction& f : compilation.functions) {
     if (stage == "graph") fmt::print("{}", print(f.graph));
     if (stage == "program") fmt::print("{}", print(f.program));
+    if (stage == "limbs") print_limbs(compilation.setup, f);
   }
 }
 
@@ -44,8 +54,9 @@ int run_compile(const Common& common, const std::string& out, const std::string&
     if (stage.empty()) {
       fmt::print("{}/{}\n", out, target.name);
       for (const TargetFunction& f : target.functions)
-        fmt::print("  {:<30} {:6} operations, {:3} sincos\n", f.signature.name,
-                   f.program.ops.total(), f.program.ops.sincos);
+        fmt::print("  {:<30} {:6} operations, {:3} sincos{}\n", f.signature.name,
+                   f.program.ops.total(), f.program.ops.sincos,
+                   f.lanes ? fmt::format("; in lanes {}", f.lanes->program.ops.total()) : "");
     }
   }
   flush_stdout();

@@ -172,13 +172,13 @@ int run_inspect(const Common& common, const InspectOptions& options) {
   if (options.ops) {
     check_size(model, common.compile.max_dof);
     if (!common.json)
-      fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", "function", "total", "mul",
-                 "add", "fma", "div", "sqrt", "sincos");
+      fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6} {:>8}\n", "function", "total",
+                 "mul", "add", "fma", "div", "sqrt", "sincos", "in lanes");
     for (const Request& request : asked) {
       const std::string function = arboc::name(request);
-      OpCount n;
+      CompiledFunction f;
       try {
-        n = compile_function(request, setup).program.ops;
+        f = compile_function(request, setup);
       } catch (const AbsentError& e) {
         if (!asks_by_default(common)) throw;
         Diagnostics left_out;
@@ -186,13 +186,16 @@ int run_inspect(const Common& common, const InspectOptions& options) {
         print_diagnostics(left_out, false);
         continue;
       }
+      const OpCount n = f.program.ops;
       check_interrupt();
       if (common.json)
         json["ops"][function] = {{"mul", n.mul}, {"add", n.add},   {"fma", n.fma},
                                  {"div", n.div}, {"sqrt", n.sqrt}, {"sincos", n.sincos}};
       else
-        fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6}\n", function, n.total(), n.mul,
-                   n.add, n.fma, n.div, n.sqrt, n.sincos);
+        fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6} {:>8}\n", function, n.total(),
+                   n.mul, n.add, n.fma, n.div, n.sqrt, n.sincos,
+                   f.lanes ? fmt::format("{}", f.lanes->program.ops.total()) : "-");
+      if (common.json && f.lanes) json["ops"][function]["lanes"] = f.lanes->program.ops.total();
     }
   }
   if (common.json) fmt::print("{}\n", json.dump(1, ' ', true));

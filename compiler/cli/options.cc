@@ -50,9 +50,11 @@ Simplifications parse_without(const std::string& list) {
       simplify.regroup = false;
     else if (word == "fuse")
       simplify.fuse = false;
+    else if (word == "limbs")
+      simplify.limbs = false;
     else
-      throw UsageError(
-          unknown("--without", "there is no simplification", word, {"frames", "regroup", "fuse"}));
+      throw UsageError(unknown("--without", "there is no simplification", word,
+                               {"frames", "regroup", "fuse", "limbs"}));
   }
   return simplify;
 }
@@ -248,7 +250,7 @@ void add_request_options(CLI::App& app, Common& common) {
       ->group("Functions");
   app.add_option_function<std::string>(
          "--without", [&f](const std::string& given) { f.simplify = parse_without(given); },
-         "simplifications to leave out, to see what they are worth: frames, regroup, fuse")
+         "simplifications to leave out, to see what they are worth: frames, regroup, fuse, limbs")
       ->type_name("LIST")
       ->group("Functions");
   list("--parameters", f.parameters, "LIST",

@@ -59,6 +59,9 @@ Partials partials(Builder& builder, std::uint32_t n) {
       return {{partial(a, builder.mul(builder.constant(-2), curved))}, 1};
     }
     case Op::kLogCurvature: return {{partial(a, curvature_slope(builder, a, self))}, 1};
+    case Op::kPack:
+    case Op::kLane:
+    case Op::kHsum: throw std::logic_error("derive: the graph has lanes");
     case Op::kSum: break;
   }
   throw std::logic_error("derive: the graph has been fused already");

@@ -10,16 +10,19 @@ namespace arboc {
 struct Arrays {
   std::set<int> inputs, outputs;
   bool work = false;
+  bool lane_work[kMostLanes + 1] = {};  ///< by width
 
   void add(const Arrays& other) {
     inputs.insert(other.inputs.begin(), other.inputs.end());
     outputs.insert(other.outputs.begin(), other.outputs.end());
     work = work || other.work;
+    for (int k = 0; k <= kMostLanes; ++k) lane_work[k] = lane_work[k] || other.lane_work[k];
   }
   void read(const Operand& x) {
     if (x.place == Operand::Place::kInput) inputs.insert(x.port);
-    if (x.place == Operand::Place::kSlot) work = true;
+    if (x.place == Operand::Place::kSlot) slot(x.sine ? 1 : x.width);
   }
+  void slot(int width) { (width == 1 ? work : lane_work[width]) = true; }
   void store(const Store& s) {
     outputs.insert(s.port);
     read(s.value);
@@ -31,7 +34,7 @@ struct Arrays {
         if (t.product) read(t.b);
       }
       for (const Store& x : s.stores) store(x);
-      work = work || s.slot >= 0;
+      if (s.slot >= 0) slot(s.width);
     }
   }
 };

@@ -1,8 +1,10 @@
-// The header of one function: its chunks as noinline parts, and the function that calls them.
+// The header of one function: its parts and the function that calls them; where limbs go in lanes,
+// both texts and the choice between them.
 #include <fmt/format.h>
 
-#include "base/number.h"
-#include "emit/arrays.h"
+#include <map>
+
+#include "emit/cpp_program.h"
 #include "emit/emit.h"
 #include "emit/names.h"
 #include "emit/template.h"
@@ -10,125 +12,38 @@
 namespace arboc {
 namespace {
 
-/// `const T* q, T* tau, T* w` or, without types, `q, tau, w`.
-std::string list(const Program& program, const Arrays& arrays, bool types) {
-  std::string out;
-  const auto append = [&](const std::string& type, const std::string& name) {
-    out += (out.empty() ? "" : ", ") + (types ? type : "") + name;
-  };
-  for (const int p : arrays.inputs)
-    append("const T* ARBOC_RESTRICT ", program.inputs[static_cast<size_t>(p)].name);
-  for (const int p : arrays.outputs)
-    append("T* ARBOC_RESTRICT ", program.outputs[static_cast<size_t>(p)].name);
-  if (arrays.work) append("T* ARBOC_RESTRICT ", "w");
-  return out;
-}
-
-std::string statements(const Program& program, const Chunk& chunk, int& block) {
-  std::string out;
-  const auto line = [&](const std::string& text) { out += "  " + text + ";\n"; };
-  for (const Statement& s : chunk.statements) {
-    if (s.block != block)
-      out += fmt::format("  // {}\n",
-                         comment_text(program.blocks[static_cast<size_t>(block = s.block)]));
-    line(fmt::format("const T x{} = {}", s.local, text(program, s)));
-    if (s.slot >= 0) line(fmt::format("w[{}] = x{}", s.slot, s.local));
-    for (const Store& store : s.stores)
-      line(fmt::format("{}[{}] = {}", program.outputs[static_cast<size_t>(store.port)].name,
-                       store.index, text(program, store.value)));
-  }
-  return out;
-}
-
 class Function {
  public:
   Function(const TargetModel& model, const TargetFunction& function)
       : model_(model), function_(function), program_(function.program) {}
 
   std::string run() {
-    const bool angles = !program_.angles.empty();
-    std::string parts, calls;
-    if (angles) add_part(parts, calls, "angles", angle_arrays(), angle_body());
-    int block = -1;
-    for (size_t c = 0; c < program_.chunks.size(); ++c) {
-      Arrays arrays;
-      arrays.chunk(program_.chunks[c]);
-      const std::string body = statements(program_, program_.chunks[c], block);
-      if (!body.empty()) add_part(parts, calls, fmt::format("part{}", c), arrays, body);
-    }
-    return fill("cpp/NAME_FUNCTION.hpp",
-                {{"banner", banner(model_)},
-                 {"name", model_.name},
-                 {"function", program_.name},
-                 {"parts", parts},
-                 {"documentation", documentation()},
-                 {"result", result_type(function_, "T")},
-                 {"parameters", parameters(function_, "T", " ARBOC_RESTRICT")},
-                 {"body", body(calls)}});
+    const std::string& name = program_.name;
+    const ProgramText plain = program_text(program_, function_.signature, name + "_parts");
+    std::map<std::string, std::string> values{
+        {"banner", banner(model_)},
+        {"name", model_.name},
+        {"function", name},
+        {"parts", plain.parts},
+        {"documentation", documentation()},
+        {"result", result_type(function_, "T")},
+        {"parameters", parameters(function_, "T", " ARBOC_RESTRICT")},
+        {"body", plain.body}};
+    if (!function_.lanes) return fill("cpp/NAME_FUNCTION.hpp", values);
+    const ProgramText lanes =
+        program_text(function_.lanes->program, function_.signature, name + "_lanes");
+    values.insert({{"lane_parts", lanes.parts},
+                   {"lane_body", lanes.body},
+                   {"limbs", comment_text(function_.lanes->limbs)},
+                   {"arguments", arguments()}});
+    return fill("cpp/NAME_FUNCTION_lanes.hpp", values);
   }
 
  private:
-  void add_part(std::string& parts, std::string& calls, const std::string& name,
-                const Arrays& arrays, const std::string& body) {
-    used_.add(arrays);
-    parts += fmt::format("template <class T>\nARBOC_NOINLINE void {}({}) noexcept {{\n{}}}\n\n",
-                         name, list(program_, arrays, true), body);
-    calls +=
-        fmt::format("  {}_parts::{}<T>({});\n", program_.name, name, list(program_, arrays, false));
-  }
-
-  Arrays angle_arrays() const {
-    Arrays arrays;
-    arrays.chunk(program_.prologue);
-    for (const Operand& angle : program_.angles) arrays.read(angle);
-    arrays.work = true;
-    return arrays;
-  }
-
-  std::string angle_body() const {
-    int block = -1;
-    std::string out = statements(program_, program_.prologue, block);
-    const size_t n = program_.angles.size();
-    if (n == 1)
-      return out +
-             fmt::format("  sincos(T({}), w[0], w[1]);\n", text(program_, program_.angles[0]));
-    std::string groups;
-    for (size_t k = 0; k < n; ++k)
-      groups += (k % 4 ? ", " : k ? "},\n      {" : "{") + text(program_, program_.angles[k]);
-    const size_t count = (n + 3) / 4;
-    return out +
-           fmt::format(
-               "  const arboc::Angles<T> angle[{0}] = {{\n      {1}}}}};\n"
-               "  for (int k = 0; k < {0}; ++k) angle[k].sincos_to(w + 4 * k, w + {2} + 4 * k);\n",
-               count, groups, program_.angle_stride);
-  }
-
-  std::string body(const std::string& calls) {
+  std::string arguments() const {
     std::string out;
-    const auto& outputs = program_.outputs;
-    const bool checked = !function_.signature.positive.empty();
-    if (program_.slots > 0 && used_.work) out += fmt::format("  T w[{}];\n", program_.slots);
-    if (checked) out += fmt::format("  T {}[{}];\n", outputs.back().name, outputs.back().size);
-    out += calls;
-    for (const Store& store : program_.stores) {
-      used_.store(store);
-      out += fmt::format("  {}[{}] = {};\n", outputs[static_cast<size_t>(store.port)].name,
-                         store.index, text(program_, store.value));
-    }
-    for (size_t p = 0; p < program_.inputs.size(); ++p)
-      if (!used_.inputs.contains(static_cast<int>(p)))
-        out += fmt::format("  static_cast<void>({});\n", program_.inputs[p].name);
-    for (size_t p = 0; p < outputs.size(); ++p)
-      if (!used_.outputs.contains(static_cast<int>(p)))
-        out += fmt::format("  static_cast<void>({});\n", outputs[p].name);
-    if (checked) {
-      out += fmt::format("  const arboc::status_t<T> status = arboc::check_positive({}, {});\n",
-                         outputs.back().name, outputs.back().size);
-      for (size_t k = 0; k + 1 < outputs.size(); ++k)
-        out +=
-            fmt::format("  arboc::fill_nan(status, {}, {});\n", outputs[k].name, outputs[k].size);
-      out += "  return status;\n";
-    }
+    for (const auto* list : {&function_.signature.inputs, &function_.signature.outputs})
+      for (const Argument& a : *list) out += (out.empty() ? "" : ", ") + a.code();
     return out;
   }
 
@@ -157,16 +72,23 @@ class Function {
           "/// Returns 0, or 1 + the index of the first {} that is not positive; then all is "
           "nan.\n",
           s.positive);
-    const OpCount& n = program_.ops;
-    out += fmt::format("/// {} mul, {} add, {} fma, {} div, {} sqrt, {} sincos", n.mul, n.add,
-                       n.fma, n.div, n.sqrt, n.sincos);
+    out += operations(program_.ops);
+    if (!function_.lanes) return out;
+    const OpCount& n = function_.lanes->program.ops;
+    return out +
+           fmt::format("\n/// In lanes:\n{}\n/// {} gathers, {} sums over lanes, {} lanes stored.",
+                       operations(n), n.pack, n.hsum, n.lane);
+  }
+
+  static std::string operations(const OpCount& n) {
+    const std::string out = fmt::format("/// {} mul, {} add, {} fma, {} div, {} sqrt, {} sincos",
+                                        n.mul, n.add, n.fma, n.div, n.sqrt, n.sincos);
     return out + (n.special > 0 ? fmt::format(", {} special.", n.special) : ".");
   }
 
   const TargetModel& model_;
   const TargetFunction& function_;
   const Program& program_;
-  Arrays used_;
 };
 
 }  // namespace

@@ -22,6 +22,13 @@ ordered_json describe(const Argument& a) {
   return json;
 }
 
+ordered_json operations(const OpCount& n) {
+  ordered_json json{{"mul", n.mul}, {"add", n.add},   {"fma", n.fma},
+                    {"div", n.div}, {"sqrt", n.sqrt}, {"sincos", n.sincos}};
+  if (n.special > 0) json["special"] = n.special;
+  return json;
+}
+
 ordered_json describe(const TargetFunction& f) {
   ordered_json json;
   json["name"] = f.signature.name;
@@ -48,12 +55,14 @@ ordered_json describe(const TargetFunction& f) {
                         ? ordered_json(nullptr)
                         : ordered_json("0, or 1 + index of the first " + f.signature.positive +
                                        " that is not positive");
-  const OpCount& n = f.program.ops;
-  json["ops"] = {{"mul", n.mul}, {"add", n.add},   {"fma", n.fma},
-                 {"div", n.div}, {"sqrt", n.sqrt}, {"sincos", n.sincos}};
-  if (n.special > 0) json["ops"]["special"] = n.special;
+  json["ops"] = operations(f.program.ops);
   json["functions_of_code"] = f.program.chunks.size();
   json["work"] = f.program.slots;
+  if (f.lanes) {
+    json["lanes"] = {{"limbs", f.lanes->limbs}, {"ops", operations(f.lanes->program.ops)}};
+    const OpCount& n = f.lanes->program.ops;
+    json["lanes"]["ops"].update({{"gathers", n.pack}, {"sums", n.hsum}, {"stores", n.lane}});
+  }
   return json;
 }
 

@@ -3,6 +3,7 @@
 // `compile` fills this in from the model; emit() turns it into files.
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,11 +53,18 @@ struct Signature {
   std::string positive;
 };
 
+/// The same function of one state with isomorphic limbs in the lanes of vectors.
+struct LaneProgram {
+  std::string limbs;  ///< which, in one line
+  Program program;
+};
+
 struct TargetFunction {
   std::string request;  ///< as on the command line: `rnea`, `--jacobian rnea.tau:q`
   Signature signature;
   std::vector<Pattern> patterns;  ///< per output; of dense ones, written row by row, empty
   Program program;
+  std::optional<LaneProgram> lanes{};  ///< where that needs fewer operations
 
   /// Entries that are written for an output.
   int entries(size_t output) const {

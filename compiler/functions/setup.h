@@ -15,6 +15,7 @@ struct Simplifications {
   bool frames = true;   ///< both choices of frames are traced and the cheaper is kept
   bool regroup = true;  ///< inertial parameters move to where they need fewer operations
   bool fuse = true;     ///< sums of products become chains of fused multiply-adds
+  bool limbs = true;    ///< isomorphic limbs go in the lanes of vectors where that pays
 };
 
 /// What all functions of one compilation share, as the user wrote it.

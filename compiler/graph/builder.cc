@@ -1,15 +1,35 @@
 #include "graph/builder.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
+#include <stdexcept>
 #include <utility>
 
 namespace arboc {
+namespace {
+
+constexpr Lanes one{1, {1.0}};
+
+template <class Operation>
+Lanes each_lane(const Lanes& a, const Lanes& b, Operation operation) {
+  Lanes result;
+  result.width = std::max(a.width, b.width);
+  for (int k = 0; k < result.width; ++k) result.x[k] = operation(a[k], b[k]);
+  return result;
+}
+Lanes operator+(const Lanes& a, const Lanes& b) { return each_lane(a, b, std::plus<>()); }
+Lanes operator*(const Lanes& a, const Lanes& b) { return each_lane(a, b, std::multiplies<>()); }
+Lanes operator/(const Lanes& a, const Lanes& b) { return each_lane(a, b, std::divides<>()); }
+bool has_zero(const Lanes& a) { return std::count(a.x, a.x + a.width, 0.0) > 0; }
+
+}  // namespace
 
 Builder::Builder(std::string name) : table_(1024) { region_.name = std::move(name); }
 
 std::vector<Ref> Builder::input(const std::string& name, int size) {
-  region_.inputs.push_back({name, size, 1});
+  region_.inputs.push_back({name, size});
   std::vector<Ref> refs;
   for (int i = 0; i < size; ++i) {
     Node node;
@@ -21,7 +41,7 @@ std::vector<Ref> Builder::input(const std::string& name, int size) {
 }
 
 void Builder::output(const std::string& name, const std::vector<Ref>& entries) {
-  region_.outputs.push_back({name, static_cast<int>(entries.size()), 1});
+  region_.outputs.push_back({name, static_cast<int>(entries.size())});
   region_.results.push_back(entries);
 }
 
@@ -39,9 +59,12 @@ size_t Builder::hash(const Node& node) const {
   };
   std::uint64_t h = mix(static_cast<std::uint64_t>(node.op), node.a.bits());
   h = mix(h, node.b.bits());
-  if (node.op == Op::kConstant)
-    return mix(h, std::bit_cast<std::uint64_t>(region_.constants[node.index]));
-  if (node.op != Op::kSum) return mix(h, node.index);
+  if (node.op == Op::kConstant) {
+    for (std::uint32_t k = node.index; k < node.index + node.count; ++k)
+      h = mix(h, std::bit_cast<std::uint64_t>(region_.constants[k]));
+    return h;
+  }
+  if (node.op != Op::kSum && node.op != Op::kPack) return mix(h, node.index);
   for (std::uint32_t t = node.index; t < node.index + node.count; ++t) {
     const Term& term = region_.terms[t];
     h = mix(mix(h, term.a.bits()), term.product ? term.b.bits() + 1ull : 0ull);
@@ -51,8 +74,15 @@ size_t Builder::hash(const Node& node) const {
 
 bool Builder::same(const Node& x, const Node& y) const {
   if (x.op != y.op || !(x.a == y.a) || !(x.b == y.b) || x.count != y.count) return false;
-  if (x.op == Op::kConstant) return region_.constants[x.index] == region_.constants[y.index];
-  if (x.op != Op::kSum) return x.index == y.index;
+  if (x.op == Op::kConstant) {
+    const double* c = region_.constants.data();
+    return std::equal(c + x.index, c + x.index + x.count, c + y.index);
+  }
+  if (x.op != Op::kSum && x.op != Op::kPack) return x.index == y.index;
+  return same_terms(x, y);
+}
+
+bool Builder::same_terms(const Node& x, const Node& y) const {
   for (std::uint32_t i = 0; i < x.count; ++i) {
     const Term& s = region_.terms[x.index + i];
     const Term& t = region_.terms[y.index + i];
@@ -75,31 +105,50 @@ Ref Builder::intern(const Node& node) {
   size_t slot = hash(node) & (table_.size() - 1);
   for (; table_[slot] != 0; slot = (slot + 1) & (table_.size() - 1))
     if (same(region_.nodes[table_[slot] - 1], node)) return Ref(table_[slot] - 1);
+  const int width = width_of(region_, node);
+  if (width == 0) throw std::logic_error("operands of different widths");
   region_.nodes.push_back(node);
   region_.nodes.back().block = block_;
+  region_.nodes.back().width = static_cast<std::uint8_t>(width);
   table_[slot] = static_cast<std::uint32_t>(region_.nodes.size());
   ++used_;
   return Ref(table_[slot] - 1);
 }
 
 Ref Builder::constant(double value) {
+  Lanes lanes;
+  lanes.x[0] = value;
+  return constant(lanes);
+}
+
+Ref Builder::constant(const Lanes& value) {
+  const double* const x = value.x;
+  const double* const end = x + value.width;
+  const double* const first = std::find_if(x, end, [](double c) { return c != 0; });
+  const bool negative = first != end && *first < 0;
+  const bool uniform = std::all_of(x, end, [x](double c) { return c == *x; });
   Node node;
   node.op = Op::kConstant;
   node.index = static_cast<std::uint32_t>(region_.constants.size());
-  node.count = 1;
-  region_.constants.push_back(std::fabs(value));
+  node.count = uniform ? 1 : static_cast<std::uint32_t>(value.width);
+  for (std::uint32_t k = 0; k < node.count; ++k)
+    region_.constants.push_back(x[k] == 0 ? 0.0 : negative ? -x[k] : x[k]);
   const size_t nodes = region_.nodes.size();
   const Ref ref = intern(node);
-  if (nodes == region_.nodes.size()) region_.constants.pop_back();  // known already
-  return std::signbit(value) && value != 0 ? -ref : ref;
+  if (nodes == region_.nodes.size()) region_.constants.resize(node.index);  // known already
+  return negative ? -ref : ref;
 }
 
-double Builder::split_factor(Ref& x) const {
-  const double sign = x.negative() ? -1.0 : 1.0;
-  x = x.positive();
-  const Node& node = region_[x];
-  if (node.op != Op::kMul || !region_.is_constant(node.a)) return sign;
-  const double factor = sign * region_.value(node.a);
+Lanes Builder::split_factor(Ref& x) const {
+  Lanes factor;
+  factor.x[0] = x.negative() ? -1.0 : 1.0;
+  const Ref positive = x.positive();
+  const Node& node = region_[positive];
+  if (node.op != Op::kMul || !region_.is_constant(node.a)) {
+    x = positive;
+    return factor;
+  }
+  factor = region_.lanes(node.a.with_sign_of(x));
   x = node.b;
   return factor;
 }
@@ -116,23 +165,24 @@ Ref Builder::fold_nested_add(Ref sum, Ref x, bool& found) {
 Ref Builder::add(Ref a, Ref b) {
   if (region_.is_constant(b)) std::swap(a, b);
   if (region_.is_constant(a)) {
-    const double value = region_.value(a);
-    if (value == 0) return b;
-    if (region_.is_constant(b)) return constant(value + region_.value(b));
+    if (is(a, 0)) return b;
+    const auto plus = [&](Ref c) { return constant(region_.lanes(a) + region_.lanes(c)); };
+    if (region_.is_constant(b)) return plus(b);
     Node inner = region_[b];
     if (inner.op == Op::kAdd) {
       if (region_.is_constant(inner.b)) std::swap(inner.a, inner.b);
       if (region_.is_constant(inner.a))
-        return add(constant(value + region_.value(inner.a.with_sign_of(b))),
-                   inner.b.with_sign_of(b));
+        return add(plus(inner.a.with_sign_of(b)), inner.b.with_sign_of(b));
     }
   }
   Ref x = a, y = b;
-  const double p = split_factor(x), r = split_factor(y);
+  const Lanes p = split_factor(x), r = split_factor(y);
   if (x == y) return mul(constant(p + r), x);
   bool found = false;
   if (const Ref u = fold_nested_add(a, b, found); found) return u;
   if (const Ref u = fold_nested_add(b, a, found); found) return u;
+  if (const Ref u = fold_hsum(a, b, found); found) return u;
+  if (const Ref u = fold_hsum(b, a, found); found) return u;
 
   // Canonical: the lower node first and positive, the sign outside.
   if (a.node() > b.node()) std::swap(a, b);
@@ -152,13 +202,16 @@ Ref Builder::mul(Ref a, Ref b) {
   b = b.positive();
   const auto signed_result = [&](Ref r) { return negative ? -r : r; };
   if (region_.is_constant(a)) {
-    const double value = region_.value(a);
-    if (value == 0) return a;
-    if (value == 1) return signed_result(b);
-    if (region_.is_constant(b)) return signed_result(constant(value * region_.value(b)));
+    if (is(a, 0)) return a;
+    if (is(a, 1)) return signed_result(b);
+    const auto times = [&](Ref c) { return constant(region_.lanes(a) * region_.lanes(c)); };
+    if (region_.is_constant(b)) {
+      const Ref product = times(b);
+      return is(product, 0) ? product : signed_result(product);
+    }
     const Node inner = region_[b];
     if (inner.op == Op::kMul && region_.is_constant(inner.a))
-      return signed_result(mul(constant(value * region_.value(inner.a)), inner.b));
+      return signed_result(mul(times(inner.a), inner.b));
   } else if (a.node() > b.node()) {
     std::swap(a, b);
   }
@@ -174,12 +227,12 @@ Ref Builder::div(Ref a, Ref b) {
   a = a.positive();
   b = b.positive();
   const auto signed_result = [&](Ref r) { return negative ? -r : r; };
-  if (region_.is_constant(a) && region_.value(a) == 0) return a;
+  if (is(a, 0)) return a;
   if (a == b) return signed_result(constant(1.0));
-  if (region_.is_constant(b) && region_.value(b) != 0) {
-    const double divisor = region_.value(b);
-    if (region_.is_constant(a)) return signed_result(constant(region_.value(a) / divisor));
-    return signed_result(mul(constant(1.0 / divisor), a));
+  if (region_.is_constant(b) && !has_zero(region_.lanes(b))) {
+    const Lanes divisor = region_.lanes(b);
+    if (region_.is_constant(a)) return signed_result(constant(region_.lanes(a) / divisor));
+    return signed_result(mul(constant(one / divisor), a));
   }
   Node node;
   node.op = Op::kDiv;
@@ -197,48 +250,35 @@ Ref Builder::unary(Op op, Ref a, int index) {
 }
 
 Ref Builder::sqrt(Ref a) {
-  if (region_.is_constant(a) && region_.value(a) >= 0) return constant(std::sqrt(region_.value(a)));
+  if (region_.is_constant(a) && region_[a].width == 1 && region_.value(a) >= 0)
+    return constant(std::sqrt(region_.value(a)));
   return unary(Op::kSqrt, a);
 }
 
 Ref Builder::sin(Ref a) {
-  if (region_.is_constant(a) && region_.value(a) == 0) return a.positive();
+  if (is(a, 0)) return a.positive();
   const Ref ref = unary(Op::kSin, a.positive());
   return a.negative() ? -ref : ref;
 }
 
 Ref Builder::cos(Ref a) {
-  if (region_.is_constant(a) && region_.value(a) == 0) return constant(1.0);
+  if (is(a, 0)) return constant(1.0);
   return unary(Op::kCos, a.positive());
 }
 
 Ref Builder::stumpff(int k, Ref x) {
-  if (region_.is_constant(x) && region_.value(x) == 0)
-    return constant(special_value(Op::kStumpff, k, 0));
+  if (is(x, 0)) return constant(special_value(Op::kStumpff, k, 0));
   return unary(Op::kStumpff, x, k);
 }
 
 Ref Builder::quaternion_log(Ref w) {
-  const bool one = region_.is_constant(w) && region_.value(w.positive()) == 1;
-  const Ref ref = one ? constant(2.0) : unary(Op::kQuaternionLog, w.positive());
+  const Ref ref = is(w.positive(), 1) ? constant(2.0) : unary(Op::kQuaternionLog, w.positive());
   return w.negative() ? -ref : ref;
 }
 
 Ref Builder::log_curvature(Ref w) {
-  if (region_.is_constant(w) && region_.value(w.positive()) == 1) return constant(1.0 / 12);
+  if (is(w.positive(), 1)) return constant(1.0 / 12);
   return unary(Op::kLogCurvature, w.positive());
-}
-
-Ref Builder::sum(const std::vector<Term>& terms) {
-  Node node;
-  node.op = Op::kSum;
-  node.index = static_cast<std::uint32_t>(region_.terms.size());
-  node.count = static_cast<std::uint32_t>(terms.size());
-  region_.terms.insert(region_.terms.end(), terms.begin(), terms.end());
-  const size_t nodes = region_.nodes.size();
-  const Ref ref = intern(node);
-  if (nodes == region_.nodes.size()) region_.terms.resize(node.index);
-  return ref;
 }
 
 Graph Builder::finish() && {

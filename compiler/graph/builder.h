@@ -4,7 +4,9 @@
 // rules look one level deep and never make an expression larger:
 //   constants fold;  x + 0 = x;  x - x = 0;  a x + b x = (a + b) x;  (u + x) - x = u;
 //   a + (b + x) = (a + b) + x;  0 x = 0;  1 x = x;  a (b x) = (a b) x;  x / a = (1/a) x;
+//   hsum(x) + hsum(y) = hsum(x + y), also where hsum(x) is part of a sum;
 //   sin(-x) = -sin x;  cos(-x) = cos x;  the same of quaternion_log and log_curvature
+// Constants in lanes fold lane by lane; 0 and 1 count only where all lanes agree.
 // There is no distribution and no factoring: with fused multiply-adds neither gains (measured).
 #pragma once
 #include <string>
@@ -26,6 +28,7 @@ class Builder {
   void begin_block(const std::string& title);
 
   Ref constant(double value);
+  Ref constant(const Lanes& value);
   Ref add(Ref a, Ref b);
   Ref mul(Ref a, Ref b);
   Ref div(Ref a, Ref b);
@@ -39,6 +42,13 @@ class Builder {
   /// At least two terms; none of them a constant product.
   Ref sum(const std::vector<Term>& terms);
 
+  /// Scalars side by side; several that are all the same remain a scalar.
+  Ref pack(const std::vector<Ref>& scalars);
+  /// Lane k; a scalar is every lane of itself.
+  Ref lane(Ref a, int k);
+  /// Sum of the first n lanes; of a scalar n times itself.
+  Ref hsum(Ref a, int n);
+
   const Region& region() const { return region_; }
   Graph finish() &&;
 
@@ -48,9 +58,17 @@ class Builder {
   void grow();
   size_t hash(const Node& node) const;
   bool same(const Node& x, const Node& y) const;
+  bool same_terms(const Node& x, const Node& y) const;
   /// x = factor * rest, with rest not a constant multiple of anything.
-  double split_factor(Ref& x) const;
+  Lanes split_factor(Ref& x) const;
+  /// Interns a sum or a pack.
+  Ref listed(Op op, const std::vector<Term>& terms);
+  /// A constant that is this number in every lane.
+  bool is(Ref ref, double value) const {
+    return region_.is_constant(ref) && region_[ref].width == 1 && region_.value(ref) == value;
+  }
   Ref fold_nested_add(Ref sum, Ref x, bool& found);
+  Ref fold_hsum(Ref a, Ref b, bool& found);
 
   Region region_;
   std::uint16_t block_ = 0;

@@ -16,7 +16,7 @@ SinCos constant_sincos(double x) {
 }  // namespace
 
 Expr::Expr(Builder* builder, Ref ref) {
-  if (builder->region().is_constant(ref)) {
+  if (builder->region().is_constant(ref) && builder->region()[ref].width == 1) {
     value_ = builder->region().value(ref);
   } else {
     builder_ = builder;
@@ -80,6 +80,22 @@ Expr quaternion_log(const Expr& w) {
 Expr log_curvature(const Expr& w) {
   if (w.is_constant()) return special_value(Op::kLogCurvature, 0, w.value());
   return {w.builder(), w.builder()->log_curvature(w.ref(*w.builder()))};
+}
+
+Expr pack(Builder& builder, const std::vector<Expr>& scalars) {
+  std::vector<Ref> refs;
+  for (const Expr& x : scalars) refs.push_back(x.ref(builder));
+  return {&builder, builder.pack(refs)};
+}
+
+Expr lane(const Expr& x, int k) {
+  if (x.is_constant()) return x;
+  return {x.builder(), x.builder()->lane(x.ref(*x.builder()), k)};
+}
+
+Expr hsum(const Expr& x, int n) {
+  if (x.is_constant()) return n * x.value();
+  return {x.builder(), x.builder()->hsum(x.ref(*x.builder()), n)};
 }
 
 void enter_block(const Expr* inputs, const std::string& subject, const char* phase) {

@@ -1,9 +1,11 @@
 // The traced scalar: an algorithm template run with T = Expr records what it would compute.
 //
 // An Expr is a constant that belongs to no graph, or a reference into the region that a Builder
-// makes.  There is no global state: the builder travels with the values.
+// makes; so are constants that differ between lanes.  There is no global state: the builder travels
+// with the values.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "graph/builder.h"
 
@@ -42,6 +44,10 @@ void sincos(const Expr& x, Expr& s, Expr& c);
 Expr stumpff(int k, const Expr& x);
 Expr quaternion_log(const Expr& w);
 Expr log_curvature(const Expr& w);
+/// Scalars of one builder side by side, and back: Builder::pack, lane, hsum.
+Expr pack(Builder& builder, const std::vector<Expr>& scalars);
+Expr lane(const Expr& x, int k);
+Expr hsum(const Expr& x, int n);
 /// As the runtime spells it, for the algorithms.
 template <int k>
 Expr stumpff(const Expr& x) {

@@ -14,7 +14,11 @@
 // passes assume finite inputs (0 * x = 0) and may reassociate, so values are preserved up to
 // rounding.  Constants are stored non-negative, their sign sits in the reference.
 //
-// Ports and constants have a width: 1 for a scalar that all lanes share, w for one value a lane.
+// A value has a width: 1, a scalar that all lanes share, or w, one value a lane.  Operands of width
+// 1 serve every lane; otherwise all have one width.  Ports are scalars: pack gathers them into
+// lanes, lane takes one out, hsum adds the first n lanes up.
+//
+//   x4 = pack(q0, q1)   x5 = [0.5|-2] * x4   x6 = lane1(x5)   x7 = hsum2(x5)
 #pragma once
 #include <cstdint>
 #include <string>
@@ -23,6 +27,8 @@
 namespace arboc {
 
 /// The operations: name, printed spelling, number of operands (sum: any number of terms).
+/// The three before the last cross from scalars to lanes and back: pack lists w scalars in
+/// Region::terms, lane takes lane Node::index, hsum adds Node::index lanes.
 /// The last three are those of rotations (runtime/arboc/scalar.hpp): the entire function c_k(x), x
 /// >= 0, whose k is Node::index, and of the real part w of a unit quaternion the factor L(w) of its
 /// logarithm and the curvature b(w).  Derivatives:
@@ -37,6 +43,9 @@ namespace arboc {
   X(kSin, "sin", 1)                      \
   X(kCos, "cos", 1)                      \
   X(kSum, "sum", 0)                      \
+  X(kPack, "pack", 0)                    \
+  X(kLane, "lane", 1)                    \
+  X(kHsum, "hsum", 1)                    \
   X(kStumpff, "stumpff", 1)              \
   X(kQuaternionLog, "quaternion_log", 1) \
   X(kLogCurvature, "log_curvature", 1)
@@ -80,18 +89,29 @@ struct Term {
 
 struct Node {
   Op op = Op::kConstant;
+  std::uint8_t width = 1;   ///< lanes
   std::uint16_t block = 0;  ///< index into Region::blocks: where the trace stood when it made this
   Ref a, b;                 ///< operands
   /// constant: offset into Region::constants.  input: offset into the concatenated input ports.
-  /// sum: first of Region::terms.  stumpff: its k.
+  /// sum, pack: first of Region::terms.  stumpff: its k.  lane: which.  hsum: how many lanes.
   std::uint32_t index = 0;
-  std::uint32_t count = 0;  ///< constant: width.  sum: number of terms.
+  std::uint32_t count = 0;  ///< constant: width.  sum, pack: number of terms.
 };
 
 struct Port {
   std::string name;
-  int size = 0;   ///< entries
-  int width = 1;  ///< values an entry: 1, or one a lane
+  int size = 0;  ///< entries
+};
+
+/// Lanes that a value has at most.
+constexpr int kMostLanes = 4;
+
+/// A constant: one number, or one a lane.
+struct Lanes {
+  int width = 1;
+  double x[kMostLanes] = {};
+
+  double operator[](int lane) const { return x[width == 1 ? 0 : lane]; }
 };
 
 struct Region {
@@ -111,6 +131,8 @@ struct Region {
     const double v = constants[nodes[ref.node()].index];
     return ref.negative() ? -v : v;
   }
+  /// Of a constant of any width.
+  Lanes lanes(Ref ref) const;
 };
 
 struct Graph {
@@ -123,7 +145,7 @@ void for_each_operand(const Region& region, const Node& node, Use&& use) {
   const int n = operand_count(node.op);
   if (n > 0) use(node.a);
   if (n > 1) use(node.b);
-  if (node.op == Op::kSum) {
+  if (node.op == Op::kSum || node.op == Op::kPack) {
     for (std::uint32_t t = node.index; t < node.index + node.count; ++t) {
       use(region.terms[t].a);
       if (region.terms[t].product) use(region.terms[t].b);
@@ -136,8 +158,12 @@ constexpr int kLargestStumpff = 16;
 /// The value of a stumpff, quaternion_log or log_curvature node.
 double special_value(Op op, int k, double x);
 
+/// The width that the operands give a node, or 0 where they do not fit together.
+int width_of(const Region& region, const Node& node);
+
 /// Throws std::logic_error that names the first broken invariant: operands before users, indices
-/// in range, constants finite and non-negative, sums with at least two terms.
+/// in range, constants finite and non-negative (in lanes: the first that is not zero, and not all
+/// the same), sums with at least two terms, widths as the operations make them.
 void verify(const Graph& graph);
 
 /// The printed form (`--print=graph`), which parse() reads back.

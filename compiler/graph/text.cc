@@ -2,8 +2,9 @@
 //
 //   region NAME        in NAME SIZE        out NAME SIZE: OPERAND ...        # block title
 //   x7 = q0 * -x3      x8 = x7 + 2.5       x9 = sin(q1)      x10 = sum(x1, -x3*x4, 2.5*x6)
-// stumpff3(x7) is c_3 of x7.  An operand is an input entry (q0), a node (x7) or a number, with a
-// sign.
+//   x11 = pack(q0, q1)   x12 = lane1(x11)   x13 = hsum2(x11)   x14 = [0.5|-2] * x11
+// stumpff3(x7) is c_3 of x7; [0.5|-2] is a constant in two lanes.  An operand is an input entry
+// (q0), a node (x7) or a number, with a sign.
 #include <fmt/format.h>
 
 #include <map>
@@ -47,14 +48,20 @@ class Printer {
   std::string operand(Ref ref) const {
     const Node& node = region_[ref];
     const std::string sign = ref.negative() ? "-" : "";
-    if (node.op == Op::kConstant) return sign + shortest(region_.constants[node.index]);
+    if (node.op == Op::kConstant) return constant(region_.lanes(ref));
     if (node.op == Op::kInput) return sign + input_names_[node.index];
     return fmt::format("{}x{}", sign, ref.node());
   }
 
+  static std::string constant(const Lanes& lanes) {
+    std::string text;
+    for (int k = 0; k < lanes.width; ++k) text += (k ? "|" : "") + shortest(lanes.x[k]);
+    return lanes.width == 1 ? text : "[" + text + "]";
+  }
+
   std::string expression(const Node& node) const {
-    if (node.op == Op::kSum) {
-      std::string text = "sum(";
+    if (node.op == Op::kSum || node.op == Op::kPack) {
+      std::string text = fmt::format("{}(", spelling(node.op));
       for (std::uint32_t t = node.index; t < node.index + node.count; ++t) {
         const Term& term = region_.terms[t];
         if (t > node.index) text += ", ";
@@ -63,7 +70,7 @@ class Printer {
       }
       return text + ")";
     }
-    if (node.op == Op::kStumpff)
+    if (node.op == Op::kStumpff || node.op == Op::kLane || node.op == Op::kHsum)
       return fmt::format("{}{}({})", spelling(node.op), node.index, operand(node.a));
     if (operand_count(node.op) == 1)
       return fmt::format("{}({})", spelling(node.op), operand(node.a));
@@ -147,11 +154,34 @@ class Parser {
   Ref operand(Builder& builder, std::string word) {
     const bool negative = word.starts_with('-');
     if (negative) word.erase(0, 1);
+    if (word.starts_with('[')) return constant(builder, word, negative);
     const auto number = parse_finite(word);
     const auto name = names_.find(word);
     if (!number && name == names_.end()) throw std::invalid_argument("unknown operand " + word);
     const Ref ref = number ? builder.constant(*number) : name->second;
     return negative ? -ref : ref;
+  }
+
+  static Ref constant(Builder& builder, const std::string& word, bool negative) {
+    Lanes lanes;
+    lanes.width = 0;
+    std::istringstream list(word.substr(1, word.find(']') - 1));
+    for (std::string item; std::getline(list, item, '|');) {
+      const auto number = parse_finite(item);
+      if (!number || lanes.width == kMostLanes) throw std::invalid_argument("constant " + word);
+      lanes.x[lanes.width++] = *number;
+    }
+    if (lanes.width == 0) throw std::invalid_argument("constant " + word);
+    const Ref ref = builder.constant(lanes);
+    return negative ? -ref : ref;
+  }
+
+  /// The number behind a name such as stumpff3, or -1.
+  static int numbered(const std::string& name, Op op, int most) {
+    const std::string stem = spelling(op);
+    if (!name.starts_with(stem)) return -1;
+    const auto k = parse_finite(name.substr(stem.size()));
+    return k && *k >= 0 && *k <= most ? static_cast<int>(*k) : -1;
   }
 
   Ref expression(Builder& builder, const std::string& text) {
@@ -170,22 +200,31 @@ class Parser {
     const std::string name =
         text.substr(text.find_first_not_of(' '), open - text.find_first_not_of(' '));
     std::istringstream list(text.substr(open + 1, text.rfind(')') - open - 1));
-    if (name == "sum") return sum(builder, list);
+    if (name == "sum") return builder.sum(terms(builder, list, name));
+    if (name == "pack") return pack(builder, list);
     const Ref x = operand(builder, list.str());
     if (name == "sin") return builder.sin(x);
     if (name == "cos") return builder.cos(x);
     if (name == "sqrt") return builder.sqrt(x);
     if (name == "quaternion_log") return builder.quaternion_log(x);
     if (name == "log_curvature") return builder.log_curvature(x);
-    const std::string stumpff = spelling(Op::kStumpff);
-    if (name.starts_with(stumpff)) {
-      const auto k = parse_finite(name.substr(stumpff.size()));
-      if (k && *k >= 0 && *k <= kLargestStumpff) return builder.stumpff(static_cast<int>(*k), x);
-    }
+    if (const int k = numbered(name, Op::kStumpff, kLargestStumpff); k >= 0)
+      return builder.stumpff(k, x);
+    if (const int k = numbered(name, Op::kLane, kMostLanes - 1); k >= 0) return builder.lane(x, k);
+    if (const int k = numbered(name, Op::kHsum, kMostLanes); k >= 2) return builder.hsum(x, k);
     throw std::invalid_argument("unknown operation " + name);
   }
 
-  Ref sum(Builder& builder, std::istringstream& list) {
+  Ref pack(Builder& builder, std::istringstream& list) {
+    std::vector<Ref> scalars;
+    for (const Term& term : terms(builder, list, "pack")) {
+      if (term.product) throw std::invalid_argument("a pack holds no products");
+      scalars.push_back(term.a);
+    }
+    return builder.pack(scalars);
+  }
+
+  std::vector<Term> terms(Builder& builder, std::istringstream& list, const std::string& what) {
     std::vector<Term> terms;
     for (std::string item; std::getline(list, item, ',');) {
       item.erase(0, item.find_first_not_of(' '));
@@ -194,8 +233,9 @@ class Parser {
       if (term.product) term.b = operand(builder, item.substr(star + 1));
       terms.push_back(term);
     }
-    if (terms.size() < 2) throw std::invalid_argument("a sum has at least two terms");
-    return builder.sum(terms);
+    if (terms.size() < 2)
+      throw std::invalid_argument(fmt::format("a {} has at least two terms", what));
+    return terms;
   }
 
   const std::string& text_;

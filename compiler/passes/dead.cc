@@ -26,7 +26,7 @@ Region remove_dead(const Region& region) {
       node.index = static_cast<std::uint32_t>(out.constants.size());
       out.constants.insert(out.constants.end(), first, first + node.count);
     }
-    if (node.op == Op::kSum) {
+    if (node.op == Op::kSum || node.op == Op::kPack) {
       const std::uint32_t first = node.index;
       node.index = static_cast<std::uint32_t>(out.terms.size());
       for (std::uint32_t t = first; t < first + node.count; ++t) {

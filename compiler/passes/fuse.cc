@@ -6,7 +6,8 @@
 //      fused multiply-add costs what the addition would.
 //   3. A root of nothing but shared products needs one plain product to start with; that one
 //      becomes an atom of all its sums.
-//   4. The constants of a root are one, and a term and its opposite are none.
+//   4. Sums and products do not join sums of another width: a scalar is broadcast once.
+//   5. The constants of a root are one, and a term and its opposite are none.
 #include "passes/fuse.h"
 
 #include <algorithm>
@@ -106,7 +107,9 @@ class Fuser {
     for_each_operand(in_, node,
                      [&](Ref r) { depth_[n] = std::max(depth_[n], depth_[r.node()] + 1); });
     switch (node.op) {
-      case Op::kConstant: out_[n] = builder_.constant(in_.constants[node.index]); break;
+      case Op::kConstant:
+        out_[n] = builder_.constant(in_.lanes(Ref(static_cast<std::uint32_t>(n))));
+        break;
       case Op::kAdd: out_[n] = rebuild_sum(n); break;
       case Op::kMul:
         if (!is_term(n)) out_[n] = builder_.mul(renamed(node.a), renamed(node.b));
@@ -120,9 +123,19 @@ class Fuser {
         break;
       case Op::kQuaternionLog: out_[n] = builder_.quaternion_log(renamed(node.a)); break;
       case Op::kLogCurvature: out_[n] = builder_.log_curvature(renamed(node.a)); break;
+      case Op::kPack: out_[n] = rebuild_pack(node); break;
+      case Op::kLane: out_[n] = builder_.lane(renamed(node.a), static_cast<int>(node.index)); break;
+      case Op::kHsum: out_[n] = builder_.hsum(renamed(node.a), static_cast<int>(node.index)); break;
       case Op::kInput: break;
       case Op::kSum: throw std::logic_error("fuse: the graph has n-ary sums already");
     }
+  }
+
+  Ref rebuild_pack(const Node& node) {
+    std::vector<Ref> scalars;
+    for (std::uint32_t t = node.index; t < node.index + node.count; ++t)
+      scalars.push_back(renamed(in_.terms[t].a));
+    return builder_.pack(scalars);
   }
 
   struct Sorted {
@@ -130,15 +143,15 @@ class Fuser {
     int depth;
   };
 
-  /// Rules 1 and 4.
+  /// Rules 1 and 5.
   std::vector<Sorted> terms_of(size_t n) {
     std::vector<Sorted> terms;
-    double constant = 0;
+    Ref constant = builder_.constant(0);
     depth_[n] = 0;
     for (const Ref old : sums_[n]) {
       const Node& node = in_[old];
       if (node.op == Op::kConstant) {
-        constant += in_.value(old);
+        constant = builder_.add(constant, renamed(old));
         continue;
       }
       Sorted item{{renamed(old), Ref(), false}, depth_[old.node()]};
@@ -156,8 +169,8 @@ class Fuser {
       else
         terms.erase(opposite);
     }
-    if (constant != 0)
-      terms.insert(terms.begin(), {{builder_.constant(constant), Ref(), false}, 0});
+    if (!(constant.positive() == builder_.constant(0)))
+      terms.insert(terms.begin(), {{constant, Ref(), false}, 0});
     return terms;
   }
 

@@ -19,13 +19,17 @@ Uses count_uses(const Region& region) {
   for (size_t n = 0; n < size; ++n) {
     if (!live[n]) continue;
     const Node& node = region.nodes[n];
-    auto& count = node.op == Op::kAdd ? uses.in_sums : uses.elsewhere;
-    for_each_operand(region, node, [&](Ref ref) { ++count[ref.node()]; });
+    for_each_operand(region, node, [&](Ref ref) {
+      const bool in_sum = node.op == Op::kAdd && node.width == region[ref].width;
+      ++(in_sum ? uses.in_sums : uses.elsewhere)[ref.node()];
+    });
   }
   for (const auto& port : region.results) {
     for (const Ref ref : port) {
       ++uses.elsewhere[ref.node()];
-      uses.minus_outputs[ref.node()] += ref.negative() ? 1 : -1;
+      const Node& node = region[ref];
+      const Ref source = node.op == Op::kLane ? node.a.with_sign_of(ref) : ref;
+      uses.minus_outputs[source.node()] += source.negative() ? 1 : -1;
     }
   }
   return uses;

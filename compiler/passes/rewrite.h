@@ -11,9 +11,10 @@ std::vector<char> alive(const Region& region);
 
 /// How the outputs and the live nodes use each node.
 struct Uses {
-  std::vector<int> in_sums;        ///< as an operand of additions
+  std::vector<int> in_sums;        ///< as an operand of additions of the same width
   std::vector<int> elsewhere;      ///< as an operand of other nodes, or as an output
-  std::vector<int> minus_outputs;  ///< outputs that want the negated value, less those that do not
+  /// Outputs that want the negated value, or lanes of it, less those that do not.
+  std::vector<int> minus_outputs;
 };
 Uses count_uses(const Region& region);
 

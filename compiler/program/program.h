@@ -5,6 +5,9 @@
 // own, so that compilers take linear time and keep their registers; a value that a later chunk
 // reads goes through a slot of the work array w.  Sines and cosines of angles known from the start
 // come first, four at a time: w[k] and w[angle_stride + k] are those of angle k.
+//
+// Values in lanes (graph.h) stand beside scalars: statements have a width, and slots of width n are
+// those of an array w<n> of vectors.  Sines of an angle in lanes lie side by side in w.
 #pragma once
 #include <string>
 #include <vector>
@@ -17,8 +20,14 @@ namespace arboc {
 struct OpCount {
   int mul = 0, add = 0, fma = 0, div = 0, sqrt = 0, sincos = 0;
   int special = 0;  ///< stumpff, quaternion_log, log_curvature
-  /// All but the sines and cosines and the special functions.
+  int pack = 0;     ///< vectors gathered from scalars
+  int lane = 0;     ///< scalars taken out of vectors
+  int hsum = 0;     ///< sums over the lanes of a vector
+  /// All but the sines and cosines, the special functions and the crossings between lanes and
+  /// scalars.  What is done to all lanes at once counts once.
   int total() const { return mul + add + fma + div + sqrt; }
+  /// With the crossings, each by the instructions that it takes.
+  int cost() const { return total() + 2 * pack + lane + 3 * hsum; }
 };
 
 /// Where an operand of a statement is found.
@@ -26,9 +35,12 @@ struct Operand {
   enum class Place { kConstant, kInput, kLocal, kSlot };
   Place place = Place::kConstant;
   bool negative = false;
-  double value = 0;  ///< constant
-  int port = 0;      ///< input
-  int index = 0;     ///< input: entry; local: its number; slot: its number
+  Lanes value{};      ///< constant
+  int port = 0;       ///< input
+  int index = 0;      ///< input: entry; local: its number; slot: its number
+  int width = 1;      ///< lanes of what stands there
+  int lane = -1;      ///< which of them is meant; -1: the value itself
+  bool sine = false;  ///< slot: in lanes a part of the array w of scalars
 };
 
 struct ProgramTerm {
@@ -46,11 +58,12 @@ struct Store {
 struct Statement {
   Op op = Op::kSum;
   int index = 0;  ///< stumpff: its k
+  int width = 1;  ///< lanes
   int local = 0;  ///< number of the value it defines
   int block = 0;  ///< index into Program::blocks
   std::vector<ProgramTerm>
-      terms;                  ///< sum: the terms; others: one term that holds the operands a, b
-  int slot = -1;              ///< also kept there for later chunks
+      terms;      ///< sum, pack: the terms; others: one term that holds the operands a, b
+  int slot = -1;  ///< also kept there for later chunks
   std::vector<Store> stores;  ///< also stored there
 };
 
@@ -62,12 +75,14 @@ struct Program {
   std::string name;
   std::vector<Port> inputs, outputs;
   std::vector<std::string> blocks;
-  Chunk prologue;               ///< what the angles need, from inputs only
-  std::vector<Operand> angles;  ///< sine and cosine of each go to w[k], w[angle_stride + k]
-  int angle_stride = 0;         ///< as many as there are angles; if several, a multiple of four
+  Chunk prologue;  ///< what the angles need, from inputs only
+  std::vector<Operand>
+      angles;            ///< scalars; sine and cosine of each go to w[k], w[angle_stride + k]
+  int angle_stride = 0;  ///< as many as there are angles; if several, a multiple of four
   std::vector<Chunk> chunks;
-  std::vector<Store> stores;  ///< outputs that are inputs, constants or sines themselves
-  int slots = 0;              ///< size of w
+  std::vector<Store> stores;            ///< outputs that are inputs, constants or sines themselves
+  int slots = 0;                        ///< size of w
+  int lane_slots[kMostLanes + 1] = {};  ///< by width: size of w2, w4
   OpCount ops;
 };
 
@@ -96,6 +111,8 @@ inline constexpr Spelling kC{"K({})", "arboc_{}({})", "arboc_{}({})", "arboc_{}(
 std::string text(const Program& program, const Operand& operand, const Spelling& spelling = kCpp);
 std::string text(const Program& program, const Statement& statement,
                  const Spelling& spelling = kCpp);
+/// Where a statement's value is kept for later chunks.
+std::string slot_text(const Statement& statement);
 
 /// The printed form (`--print=program`): the statements as they will stand in the product.
 std::string print(const Program& program);

@@ -7,16 +7,33 @@
 namespace arboc {
 namespace {
 
-std::string unsigned_text(const Program& program, const Operand& x, const Spelling& spelling) {
+std::string constant(const Lanes& value, const Spelling& spelling) {
+  const auto number = [&](int k) {
+    return fmt::format(fmt::runtime(spelling.constant), literal(value.x[k]));
+  };
+  if (value.width == 1) return number(0);
+  std::string list;
+  for (int k = 0; k < value.width; ++k) list += (k ? ", " : "") + number(k);
+  return fmt::format("V{}{{{}}}", value.width, list);
+}
+
+std::string whole_text(const Program& program, const Operand& x, const Spelling& spelling) {
   switch (x.place) {
-    case Operand::Place::kConstant:
-      return fmt::format(fmt::runtime(spelling.constant), literal(x.value));
+    case Operand::Place::kConstant: return constant(x.value, spelling);
     case Operand::Place::kInput:
       return fmt::format("{}[{}]", program.inputs[static_cast<size_t>(x.port)].name, x.index);
     case Operand::Place::kLocal: return fmt::format("x{}", x.index);
-    case Operand::Place::kSlot: return fmt::format("w[{}]", x.index);
+    case Operand::Place::kSlot:
+      if (x.width == 1) return fmt::format("w[{}]", x.index);
+      if (x.sine) return fmt::format("arboc::lanes<{}>(w + {})", x.width, x.index);
+      return fmt::format("w{}[{}]", x.width, x.index);
   }
   return {};
+}
+
+std::string unsigned_text(const Program& program, const Operand& x, const Spelling& spelling) {
+  const std::string whole = whole_text(program, x, spelling);
+  return x.lane < 0 ? whole : fmt::format("{}[{}]", whole, x.lane);
 }
 
 std::string product(const Program& program, const ProgramTerm& term, const Spelling& spelling) {
@@ -42,6 +59,13 @@ std::string text(const Program& program, const Statement& s, const Spelling& spe
       }
       return line;
     }
+    case Op::kPack: {
+      std::string list;
+      for (const ProgramTerm& term : s.terms)
+        list += (&term == &first ? "" : ", ") + of(term.a);
+      return fmt::format("V{}{{{}}}", s.width, list);
+    }
+    case Op::kHsum: return fmt::format("arboc::hsum<{}>({})", s.index, of(first.a));
     case Op::kAdd:
     case Op::kMul:
     case Op::kDiv: return fmt::format("{} {} {}", of(first.a), arboc::spelling(s.op), of(first.b));
@@ -51,8 +75,15 @@ std::string text(const Program& program, const Statement& s, const Spelling& spe
     case Op::kQuaternionLog:
     case Op::kLogCurvature:
       return fmt::format(fmt::runtime(spelling.special), arboc::spelling(s.op), of(first.a));
+    case Op::kSqrt:
+      if (s.width > 1) return fmt::format("arboc::lane_sqrt({})", of(first.a));
+      [[fallthrough]];
     default: return fmt::format(fmt::runtime(spelling.call), arboc::spelling(s.op), of(first.a));
   }
+}
+
+std::string slot_text(const Statement& s) {
+  return s.width == 1 ? fmt::format("w[{}]", s.slot) : fmt::format("w{}[{}]", s.width, s.slot);
 }
 
 std::string print(const Program& program) {
@@ -64,7 +95,7 @@ std::string print(const Program& program) {
       if (s.block != block)
         out += fmt::format("# {}\n", program.blocks[static_cast<size_t>(block = s.block)]);
       out += fmt::format("x{} = {}\n", s.local, text(program, s));
-      if (s.slot >= 0) out += fmt::format("w[{}] = x{}\n", s.slot, s.local);
+      if (s.slot >= 0) out += fmt::format("{} = x{}\n", slot_text(s), s.local);
       for (const Store& store : s.stores)
         out += fmt::format("{}[{}] = {}\n", program.outputs[static_cast<size_t>(store.port)].name,
                            store.index, text(program, store.value));

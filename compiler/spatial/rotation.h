@@ -16,6 +16,12 @@ struct PlanarRotation {
   C s = C(0);
 };
 
+/// The same rotation on another scalar.
+template <class T, class C>
+PlanarRotation<T> cast(const PlanarRotation<C>& r) {
+  return {T(r.c), T(r.s)};
+}
+
 template <class C, class T>
 ARBOC_INLINE Vector3<T> rotate_z(const PlanarRotation<C>& r, const Vector3<T>& a) {
   return {r.c * a.x - r.s * a.y, r.s * a.x + r.c * a.y, a.z};

@@ -51,18 +51,18 @@ struct MassMomentsOf {
 };
 using MassMoments = MassMomentsOf<double>;
 
-/// Where a body hangs and how its joint moves it.
+/// Where a body hangs and how its joint moves it, without numbers.
 struct Body {
   std::string link;   ///< name of the model's link whose joint moves this body
   std::string joint;  ///< name of that joint
   int parent = -1;
   Motion motion = Motion::kWorld;
-  Turn gamma, alpha, theta;  ///< R of the placement above
-  int q = -1;                ///< first coordinate in q
-  int v = -1;                ///< first coordinate in v, a, tau
+  int q = -1;             ///< first coordinate in q
+  int v = -1;             ///< first coordinate in v, a, tau
   double multiplier = 1;  ///< mimic followers: q_joint = multiplier * q[q] + offset, likewise v, a
   double offset = 0;      ///< m; only prismatic joints keep one, an angle joins theta
   bool circle = false;    ///< revolute: the coordinates are cosine and sine of the angle
+  int limbs = 1;  ///< of which this is the root, one a lane; what the parent gets is their sum
 };
 
 /// What a joint adds by itself to the force that moves it, along its own rate r of coordinate c:
@@ -80,7 +80,8 @@ struct JointForcesOf {
 /// A body with its numbers.
 template <class S>
 struct BodyOf : Body {
-  Vector3<S> c;              ///< m, origin in the parent's frame at q = 0
+  PlanarRotation<S> gamma, alpha, theta;  ///< R of the placement above
+  Vector3<S> c;                           ///< m, origin in the parent's frame at q = 0
   MassMomentsOf<S> inertia;  ///< of everything welded to this body; regrouped if the tree is
   JointForcesOf<S> forces;   ///< zero unless asked for
 };
@@ -95,8 +96,8 @@ struct FrameOf {
   bool moving = false;  ///< the child of a non-fixed joint (fk reports these by default)
 };
 
-/// The lengths, masses and the gravity of the tree are of type S: double, or Expr where a parameter
-/// of the generated function is to take the place of a number.
+/// The numbers of the tree are of type S: double, or Expr where a parameter of the generated
+/// function takes the place of a length, a mass or gravity, or where they differ between lanes.
 template <class S>
 struct DynamicTreeOf {
   static constexpr int kLargestMatrix = 4096;
@@ -114,6 +115,10 @@ struct DynamicTreeOf {
   /// the ancestors of j.  Empty if nv > kLargestMatrix: such a tree is lowered to be inspected,
   /// and the pattern of a chain grows with nv^2.
   std::vector<std::vector<int>> coupled;
+
+  /// Where bodies stand for several limbs in lanes (functions/lane_tree.h): per coordinate how many
+  /// lanes it has.  Empty: no body does.
+  std::vector<int> lanes;
 
   int nb() const { return static_cast<int>(body.size()) - 1; }
 };

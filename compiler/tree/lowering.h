@@ -25,15 +25,16 @@ DynamicTreeOf<S> assemble(DraftOf<S> draft) {
   for (DraftBodyOf<S>& b : draft.body) {
     BodyOf<S>& body = b.body;
     const Factors factors = factor(b.R);
-    body.gamma = factors.gamma;
-    body.alpha = factors.alpha;
-    body.theta = factors.theta;
+    Turn theta = factors.theta;
     if (body.motion == Motion::kRevolute && body.offset != 0) {
       const SinCos offset = exact_sincos(body.offset);
-      body.theta = clean_unit(compose(body.theta, Turn{offset.cos, offset.sin}));
+      theta = clean_unit(compose(theta, Turn{offset.cos, offset.sin}));
       body.forces.neutral = body.forces.neutral - S(body.offset);
       body.offset = 0;
     }
+    body.gamma = cast<S>(factors.gamma);
+    body.alpha = cast<S>(factors.alpha);
+    body.theta = cast<S>(theta);
     tree.body.push_back(std::move(body));
   }
   if (tree.nv <= DynamicTree::kLargestMatrix)

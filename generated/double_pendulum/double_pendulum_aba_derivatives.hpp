@@ -38,7 +38,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau
   const T x24 = T(0.15) * w[5];
   const T x26 = T(0.050015000000000004) + x24;
   // lower_rod, composite
-  const T x28 = T(1.2) + x24;
+  const T x29 = T(1.2) + x24;
   // lower_rod, factor
   const T x31 = T(19.99400179946016) * x26;
   const T x33 = T(1.0500450000000001) + T(0.3) * w[5] - x26 * x31;
@@ -62,7 +62,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau
   const T x45 = x23 * x37;
   const T x46 = x12 * x24 - x13 * x23;
   // upper_rod, solve
-  const T x47 = x13 * x23 - x12 * x28 + x31 * x46;
+  const T x47 = x13 * x23 - x12 * x29 + x31 * x46;
   const T x48 = x34 * x47;
   dqdd_dq[0] = x48;
   const T x49 = -T(19.99400179946016) * x46 - x31 * x48;

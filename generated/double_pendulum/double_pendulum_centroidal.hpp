@@ -40,12 +40,12 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, 
   const T x30 = T(0.15) * w[1];
   const T x32 = T(0.049985) * w[1];
   const T x33 = T(0.05) - w[1] * x32;
-  const T x35 = T(1.2) + x29;
+  const T x36 = T(1.2) + x29;
   const T x37 = T(1.0) + x33 + T(0.3) * w[5];
   const T x39 = T(4.50000000000025e-05) + w[1] * x32;
-  const T x40 = w[4] * x30 + w[0] * x35;
+  const T x40 = w[4] * x30 + w[0] * x36;
   A_G[1] = x40;
-  const T x41 = w[0] * x30 - w[4] * x35;
+  const T x41 = w[0] * x30 - w[4] * x36;
   A_G[0] = x41;
   const T x43 = T(0.5555555555555556) * x40;
   const T x44 = T(0.5555555555555556) * x41;

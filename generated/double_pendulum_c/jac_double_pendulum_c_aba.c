@@ -29,7 +29,7 @@ static ARBOC_NOINLINE void part0(const casadi_real* ARBOC_RESTRICT v, const casa
   const casadi_real x24 = K(0.15) * w[5];
   const casadi_real x26 = K(0.050015000000000004) + x24;
   // lower_rod, composite
-  const casadi_real x28 = K(1.2) + x24;
+  const casadi_real x29 = K(1.2) + x24;
   // lower_rod, factor
   const casadi_real x31 = K(19.99400179946016) * x26;
   const casadi_real x33 = K(1.0500450000000001) + K(0.3) * w[5] - x26 * x31;
@@ -53,7 +53,7 @@ static ARBOC_NOINLINE void part0(const casadi_real* ARBOC_RESTRICT v, const casa
   const casadi_real x45 = x23 * x37;
   const casadi_real x46 = x12 * x24 - x13 * x23;
   // upper_rod, solve
-  const casadi_real x47 = x13 * x23 - x12 * x28 + x31 * x46;
+  const casadi_real x47 = x13 * x23 - x12 * x29 + x31 * x46;
   const casadi_real x48 = x34 * x47;
   dqdd_dq[0] = x48;
   const casadi_real x49 = -K(19.99400179946016) * x46 - x31 * x48;

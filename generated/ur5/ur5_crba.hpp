@@ -81,16 +81,16 @@ ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT M, T* ARBOC_RESTRICT w) noexcept {
   // wrist_1_link, composite
   const T x71 = x54 + x56;
   const T x72 = w[6] * x50 + w[2] * x71;
-  const T x75 = T(1.594451775) + x62;
-  const T x77 = x27 - T(0.39225) * x61 - w[6] * x72;
+  const T x75 = x27 - T(0.39225) * x61 - w[6] * x72;
+  const T x77 = T(1.594451775) + x62;
   const T x79 = T(0.57063187374375) + x54 + T(0.7845) * x62 - w[2] * x72;
   const T x81 = x56 - T(0.0011795599999999996) - w[2] * x72;
   const T x83 = x63 - T(0.12652256366625) - T(0.013793413942275) * w[7];
   // forearm, column
   const T x84 = x79 - x81;
   M[5] = x84;
-  const T x85 = w[5] * x61 + w[1] * x75;
-  const T x86 = w[1] * x61 - w[5] * x75;
+  const T x85 = w[5] * x61 + w[1] * x77;
+  const T x86 = w[1] * x61 - w[5] * x77;
   const T x87 = w[1] * x64 + w[5] * x83;
   const T x88 = w[5] * x64 - w[1] * x83;
   const T x89 = x84 - T(0.425) * x86;
@@ -98,10 +98,10 @@ ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT M, T* ARBOC_RESTRICT w) noexcept {
   const T x90 = w[4] * x88 - w[0] * x87;
   M[3] = x90;
   // forearm, composite
-  const T x91 = T(2.0) * x77;
+  const T x91 = T(2.0) * x75;
   const T x92 = x79 + x81;
   const T x93 = w[5] * x91 - w[1] * x92;
-  const T x95 = x77 + T(0.425) * x85 - w[5] * x93;
+  const T x95 = x75 + T(0.425) * x85 - w[5] * x93;
   const T x97 = T(1.40048834375) + x79 - T(0.85) * x86 + w[1] * x93;
   const T x99 = x81 - T(0.006118499999999999) + w[1] * x93;
   const T x101 = x87 - T(0.34930028562500004) - T(0.0149450629075) * w[7];

@@ -10,6 +10,7 @@
 
 #include "compile.h"
 #include "frontend/urdf.h"
+#include "functions/lane_trace.h"
 #include "support/golden.h"
 
 namespace arboc::test {
@@ -17,6 +18,13 @@ namespace {
 
 constexpr const char* kFolder = ARBOC_SOURCE_DIR "/tests/golden/cases";
 constexpr std::string_view kMark = "--- expected ";
+
+/// The groups, and what is made of them.
+std::string printed_limbs(const Setup& setup, const CompiledFunction& f) {
+  const LoweringOptions& lowering = f.lanes ? f.lanes->lowering : f.lowering;
+  const std::string groups = print(lower(setup, lowering), limbs_in_lanes(setup, lowering));
+  return f.lanes ? groups + print(f.lanes->graph) + print(f.lanes->program) : groups;
+}
 
 std::string printed(const Model& as_read, const std::string& section) {
   std::istringstream words(section);
@@ -33,6 +41,7 @@ std::string printed(const Model& as_read, const std::string& section) {
   const CompiledFunction& f = compilation.functions.front();
   if (stage == "model") return print(compilation.setup.model);
   if (stage == "tree") return print(lower(compilation.setup, f.lowering));
+  if (stage == "limbs") return printed_limbs(compilation.setup, f);
   if (stage == "graph") return print(f.graph);
   if (stage == "program") return print(f.program);
   throw std::invalid_argument("unknown stage " + stage);

@@ -55,6 +55,9 @@ std::vector<Complex> evaluate_at(const Region& region, const std::vector<Complex
       case Op::kStumpff: value.push_back(stumpff(static_cast<int>(node.index), at(node.a))); break;
       case Op::kQuaternionLog: value.push_back(quaternion_log(at(node.a))); break;
       case Op::kLogCurvature: value.push_back(log_curvature(at(node.a))); break;
+      case Op::kPack:
+      case Op::kLane:
+      case Op::kHsum: ADD_FAILURE() << "lanes"; break;
       case Op::kSum: ADD_FAILURE() << "fused already"; break;
     }
   }

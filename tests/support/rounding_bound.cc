@@ -54,6 +54,9 @@ Known known(const Region& region, const Node& node, const std::vector<Known>& al
       k.value = special_value(node.op, static_cast<int>(node.index), x);
       k.error = 4 * a.error + 8 * kUnit * std::fabs(k.value);
       break;
+    case Op::kPack:
+    case Op::kLane:
+    case Op::kHsum:
     case Op::kSum: break;  // the graph before the pass has none
   }
   k.error += operand_count(node.op) > 0 ? kUnit * std::fabs(k.value) : 0;
