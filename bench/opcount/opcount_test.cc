@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "compile.h"
 #include "frontend/read_model.h"
 #include "support/golden.h"
@@ -40,17 +42,23 @@ Model model_of(const Row& row) {
       options, diagnostics);
 }
 
+/// Nothing if the model cannot have the function, as its inertia is singular.
+std::optional<CompiledFunction> compiled(const std::string& function, const Setup& setup) {
+  try {
+    return compile_function({function}, setup);
+  } catch (const AbsentError&) {
+    return std::nullopt;
+  }
+}
+
 std::string lines(const Row& row) {
   const std::string name = row.model;
   const Model model = model_of(row);
   std::string out;
   for (const std::string& function : function_names()) {
-    OpCount n;
-    try {
-      n = compile_function({function}, resolve(model)).program.ops;
-    } catch (const AbsentError&) {
-      continue;  // the model's inertia is singular
-    }
+    const auto f = compiled(function, resolve(model));
+    if (!f) continue;
+    const OpCount n = f->program.ops;
     out += fmt::format("{:<16} {:<30} {:>6} {:>6} {:>6} {:>4} {:>5} {:>7} {:>6}\n", name, function,
                        n.mul, n.add, n.fma, n.div, n.sqrt, n.sincos, n.total());
   }
@@ -74,14 +82,11 @@ std::string simplified_lines(const Row& row) {
     Simplifications no_frames, no_regroup, no_fuse;
     no_frames.frames = no_regroup.regroup = no_fuse.fuse = false;
     if (name == "santos" && std::string(function) == "rnea_hessian") continue;  // takes long
-    try {
-      out += fmt::format("{:<16} {:<18} {:>6} {:>7} {:>8} {:>6} {:>6}\n", name, function,
-                         total(model, function, {}), total(model, function, no_frames),
-                         total(model, function, no_regroup), total(model, function, no_fuse),
-                         total(model, function, {false, false, false}));
-    } catch (const AbsentError&) {
-      continue;  // the model's inertia is singular
-    }
+    if (!compiled(function, resolve(model))) continue;
+    out += fmt::format("{:<16} {:<18} {:>6} {:>7} {:>8} {:>6} {:>6}\n", name, function,
+                       total(model, function, {}), total(model, function, no_frames),
+                       total(model, function, no_regroup), total(model, function, no_fuse),
+                       total(model, function, {false, false, false}));
   }
   return out;
 }
@@ -99,11 +104,11 @@ std::string lane_lines(const Row& row) {
   const Setup setup = resolve(model_of(row));
   std::string out;
   for (const char* function : {"rnea", "nle", "gravity", "crba", "aba", "rnea_derivatives"}) {
-    const CompiledFunction f = compile_function({function}, setup);
-    if (!f.lanes) continue;
-    const OpCount n = f.lanes->program.ops;
+    const auto f = compiled(function, setup);
+    if (!f || !f->lanes) continue;
+    const OpCount n = f->lanes->program.ops;
     out += fmt::format("{:<16} {:<18} {:>6} {:>8} {:>8} {:>6} {:>7}\n", name, function,
-                       f.program.ops.total(), n.total(), n.pack, n.hsum, n.lane);
+                       f->program.ops.total(), n.total(), n.pack, n.hsum, n.lane);
   }
   return out;
 }
