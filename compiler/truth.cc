@@ -17,6 +17,12 @@ using truth::moved;
 using truth::plain;
 using truth::Plain;
 
+/// What the entries of an output are multiplied with before they are added.
+struct Weight {
+  std::function<Eigen::VectorXd(const Arguments<Complex>&)> at;
+  bool constant = true;
+};
+
 /// Derivatives of one output.
 class Derivatives {
  public:
@@ -39,22 +45,25 @@ class Derivatives {
   Eigen::MatrixXd jacobian(const std::string& input) const { return jacobian(in_, input); }
 
   /// Entry (j, k): along j of x, then along k of y, of weight^T output.
-  Eigen::MatrixXd hessian(const std::string& x, const std::string& y,
-                          const std::function<Eigen::VectorXd(const Arguments<Complex>&)>& weight,
+  Eigen::MatrixXd hessian(const std::string& x, const std::string& y, const Weight& weight,
                           bool symmetric) const {
     const int n = size(x), m = size(y);
     Eigen::MatrixXd H(n, m);
-    const double h = step(y);
+    const bool exact = weight.constant && quadratic(y);
+    const double h = exact ? 1 : step(y);
     for (int k = 0; k < m; ++k) {
       const auto slopes = [&](int times) -> Eigen::VectorXd {
         const VectorOf<Complex> outer = VectorOf<Complex>::Unit(m, k) * Complex(times * h);
         if (symmetric && x == y) return along_with(x, outer, k + 1, weight);
         const Arguments<Complex> there = moved(at_, in_, y, outer);
-        return jacobian(there, x).transpose() * weight(there);
+        return jacobian(there, x).transpose() * weight.at(there);
       };
-      H.col(k) = (45 * (slopes(1) - slopes(-1)) - 9 * (slopes(2) - slopes(-2)) +
-                  (slopes(3) - slopes(-3))) /
-                 (60 * h);
+      if (exact)
+        H.col(k) = (slopes(1) - slopes(-1)) / 2;
+      else
+        H.col(k) = (45 * (slopes(1) - slopes(-1)) - 9 * (slopes(2) - slopes(-2)) +
+                    (slopes(3) - slopes(-3))) /
+                   (60 * h);
     }
     if (symmetric && x == y) H.triangularView<Eigen::StrictlyLower>() = H.transpose();
     return H;
@@ -73,6 +82,12 @@ class Derivatives {
     for (const Parameter& p : setup_.parameters)
       if (input == p.name) return false;
     return true;
+  }
+  /// The output, and its derivatives by other inputs, are polynomials of degree two at most in this
+  /// input, so that a central difference of any length is exact.
+  bool quadratic(const std::string& input) const {
+    if (function_ == "integrate" || function_ == "difference") return false;
+    return input == "a" || input == "tau" || (input == "v" && !setup_.joint_forces.friction);
   }
   /// Results are linear in wrenches and gravity: a long step leaves the least noise.
   double step(const std::string& input) const {
@@ -105,11 +120,10 @@ class Derivatives {
   }
 
   /// The first n entries of the gradient with respect to d of weight^T f(x (+) d) at d = outer.
-  Eigen::VectorXd along_with(
-      const std::string& x, const VectorOf<Complex>& outer, int n,
-      const std::function<Eigen::VectorXd(const Arguments<Complex>&)>& weight) const {
+  Eigen::VectorXd along_with(const std::string& x, const VectorOf<Complex>& outer, int n,
+                             const Weight& weight) const {
     const Eigen::Index all = outer.size();
-    const Eigen::VectorXd w = weight(moved(at_, in_, x, outer));
+    const Eigen::VectorXd w = weight.at(moved(at_, in_, x, outer));
     Eigen::VectorXd result = Eigen::VectorXd::Zero(all);
     for (Eigen::Index j = 0; j < n; ++j) {
       const VectorOf<Complex> unit = VectorOf<Complex>::Unit(all, j);
@@ -175,12 +189,14 @@ Values derived(const Request& request, const Signature& s, const Setup& setup,
   const std::vector<std::string> with = derived_inputs(request, signature(base, setup));
   const auto lambda = in.find("lambda");
   const bool twice = request.function.ends_with("_derivatives");
-  const auto weight = [&](const Arguments<Complex>& at) -> Eigen::VectorXd {
-    if (request.squares)
-      return 2 * (twice ? value_of_derivative(request, setup, in) : of.value(at));
-    if (lambda != in.end() && lambda->second.size() > 0) return lambda->second;
-    return Eigen::VectorXd::Ones(1);
-  };
+  const Weight weight{[&](const Arguments<Complex>& at) -> Eigen::VectorXd {
+                        if (request.squares)
+                          return 2 *
+                                 (twice ? value_of_derivative(request, setup, in) : of.value(at));
+                        if (lambda != in.end() && lambda->second.size() > 0) return lambda->second;
+                        return Eigen::VectorXd::Ones(1);
+                      },
+                      !request.squares};
   Values values;
   if (request.derivative != Derivative::kHessian) {
     for (size_t k = 0; k < with.size(); ++k) {
@@ -188,7 +204,7 @@ Values derived(const Request& request, const Signature& s, const Setup& setup,
           twice ? jacobian_of_derivative(request, setup, in, with[k]) : of.jacobian(with[k]);
       values[s.outputs[k].name] = request.derivative == Derivative::kJacobian
                                       ? list(by_rows<double>(J))
-                                      : list(J.transpose() * weight(of.inputs()));
+                                      : list(J.transpose() * weight.at(of.inputs()));
     }
     return values;
   }
