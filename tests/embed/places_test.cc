@@ -65,7 +65,7 @@ TEST(Scalars, MayBeEigensAutoDiff) {
   for (const std::string compiler : {"g++", "clang++"}) {
     if (!installed(compiler)) continue;
     expect_success(compiler +
-                       " -std=c++17 -O1 -Wall -Wextra -Werror -I. -isystem '" ARBOC_EIGEN
+                       " -std=c++17 -O0 -Wall -Wextra -Werror -I. -isystem '" ARBOC_EIGEN
                        "' '" ARBOC_SOURCE_DIR
                        "/tests/embed/scalars_autodiff.cpp' ur5/ur5_rnea_double.cpp "
                        "ur5/ur5_rnea_derivatives_double.cpp -o autodiff && ./autodiff",
