@@ -165,6 +165,8 @@ void add_changed(const FunctionOptions& options, std::vector<std::string>& chang
   };
   add("frames", options.frames);
   if (options.axes != Axes::kLocal) changed.push_back(fmt::format("--axes {}", word(options.axes)));
+  if (options.transform_order != FunctionOptions().transform_order)
+    changed.push_back(fmt::format("--transform-order {}", options.transform_order));
   add("external-forces", options.external_forces);
   add("joint-forces", words(options.joint_forces));
   const double velocity = options.joint_forces.friction_velocity;

@@ -8,6 +8,7 @@
 #include "reference/frames.h"
 #include "reference/momentum.h"
 #include "reference/regressor.h"
+#include "reference/transforms.h"
 
 namespace arboc::truth {
 
@@ -58,6 +59,7 @@ class Plain {
     }
     if (function == "regressor")
       return {{"Y", by_rows<S>(regressor(free_, q, in.at("v"), in.at("a")))}};
+    if (function == "transforms") return transforms(q);
     if (function == "integrate") return {{"q_next", free_.integrate(q, in.at("v"))}};
     if (function == "difference") return {{"d", free_.difference(q, in.at("q1"))}};
     return frames(function, in);
@@ -74,6 +76,35 @@ class Plain {
         for (int c = 0; c < 3; ++c) out[k++] = T.R(r, c);
       for (int r = 0; r < 3; ++r) out[k++] = T.p(r);
     }
+    return out;
+  }
+
+  /// Four rows a frame; blocks of four columns a coordinate, pair j <= k, triple j <= k <= l.
+  Arguments<S> transforms(const VectorOf<S>& q) const {
+    const int n = setup_.nv;
+    const int blocks[] = {1, 1, n, n * (n + 1) / 2, n * (n + 1) * (n + 2) / 6};
+    std::vector<MatrixOf<S>> all;
+    for (int k = 0; k < 2 + setup_.transform_order; ++k)
+      all.push_back(MatrixOf<S>::Zero(4 * static_cast<int>(setup_.frames.size()), 4 * blocks[k]));
+    for (size_t f = 0; f < setup_.frames.size(); ++f) {
+      const TransformsOf<S> link(free_, q, setup_.frames[f]);
+      const auto block = [&](size_t k, int at) {
+        return all[k].template block<4, 4>(static_cast<Eigen::Index>(4 * f), 4 * at);
+      };
+      block(0, 0) = link.T();
+      block(1, 0) = link.inverse();
+      for (int l = 0; l < n && all.size() > 2; ++l) {
+        block(2, l) = link.derivative({l});
+        for (int k = 0; k <= l && all.size() > 3; ++k) {
+          block(3, l * (l + 1) / 2 + k) = link.derivative({k, l});
+          for (int j = 0; j <= k && all.size() > 4; ++j)
+            block(4, l * (l + 1) * (l + 2) / 6 + k * (k + 1) / 2 + j) = link.derivative({j, k, l});
+        }
+      }
+    }
+    const char* names[] = {"T", "T_inverse", "dT", "d2T", "d3T"};
+    Arguments<S> out;
+    for (size_t k = 0; k < all.size(); ++k) out[names[k]] = by_rows<S>(all[k]);
     return out;
   }
 

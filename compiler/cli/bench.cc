@@ -159,8 +159,9 @@ std::string driver(const TargetModel& target, const Compilation& compilation) {
                {"includes", includes},
                {"regrouped", tree_text(lower(setup, {FrameChoice::kAxis, true}))},
                {"own", tree_text(lower(setup, {FrameChoice::kAxis, false}))},
-               {"frames", fmt::format("{{{}, {}, arboc::Axes::{}}}", list_text(setup.frames),
-                                      list_text(setup.loads), kAxes[static_cast<int>(setup.axes)])},
+               {"frames", fmt::format("{{{}, {}, arboc::Axes::{}, {}}}", list_text(setup.frames),
+                                      list_text(setup.loads), kAxes[static_cast<int>(setup.axes)],
+                                      setup.transform_order)},
                {"size", fmt::format("{}", size)},
                {"cases", cases}});
 }

@@ -232,6 +232,12 @@ void add_request_options(CLI::App& app, Common& common) {
       ->default_str("local")
       ->type_name("local|world|aligned")
       ->group("Functions");
+  app.add_option("--transform-order", f.transform_order,
+                 "highest derivative that transforms has, 0 to 3")
+      ->check(CLI::Range(0, 3))
+      ->capture_default_str()
+      ->type_name("N")
+      ->group("Functions");
   list("--external-forces", f.external_forces, "LINK[,...]",
        "links on which wrenches act: an input f_ext of rnea, nle, aba and their derivatives");
   app.add_option_function<std::string>(

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+
+#include "base/diagnostic.h"
+
 namespace arboc {
 namespace {
 
@@ -25,6 +29,33 @@ Argument sparse(Argument a) {
 Argument symmetric(Argument a) {
   a.sparse = a.symmetric = true;
   return a;
+}
+
+/// Four rows a frame, and four columns a coordinate, pair or triple.
+Argument transform_argument(const std::string& name, const Setup& setup) {
+  constexpr std::int64_t kLargest = 1 << 23;  // dense entries: 64 MiB of doubles
+  const std::int64_t n = setup.nv, frames = static_cast<std::int64_t>(setup.frames.size());
+  std::int64_t blocks = 1;
+  std::string meaning = "four rows a frame: rotation and origin in the world, and 0 0 0 1";
+  if (name == "T_inverse") meaning = "four rows a frame: the inverse of T";
+  if (name == "dT") {
+    blocks = n;
+    meaning = "four columns a coordinate k, from 4 k on: derivatives of T";
+  } else if (name == "d2T") {
+    blocks = n * (n + 1) / 2;
+    meaning = "four columns a pair j <= k of coordinates, from 4 (k (k + 1)/2 + j) on";
+  } else if (name == "d3T") {
+    blocks = n * (n + 1) * (n + 2) / 6;
+    meaning =
+        "four columns a triple j <= k <= l of coordinates, from 4 (l (l + 1) (l + 2)/6 + k (k + "
+        "1)/2 + j) on";
+  }
+  if (16 * frames * blocks > kLargest)
+    throw UsageError(fmt::format(
+        "transforms: {} of {} coordinates and {} frames would have {} entries, more than {}: name "
+        "fewer --frames, or lower --transform-order",
+        name, n, frames, 16 * frames * blocks, kLargest));
+  return {name, static_cast<int>(4 * frames), static_cast<int>(4 * blocks), "1, m", meaning, true};
 }
 
 Argument scalar(Argument a) {
@@ -59,6 +90,7 @@ Argument parameter_argument(const Parameter& parameter) {
 Argument output_argument(const std::string& function, const std::string& name, const Setup& setup) {
   const int n = setup.nv, frames = static_cast<int>(setup.frames.size());
   const std::string axes = axes_meaning(setup.axes);
+  if (function == "transforms") return transform_argument(name, setup);
   const auto square = [&](const char* unit, const std::string& meaning) {
     return sparse({name, n, n, unit, meaning});
   };

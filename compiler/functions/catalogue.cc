@@ -67,6 +67,8 @@ const std::vector<Entry>& table() {
      "First derivatives of the accelerations of the reported frames."},
     {"joint_jacobians", {"q"}, {"J_world"}, Masses::kAny, nullptr, nullptr,
      "Motion subspaces of all coordinates at the world's origin, along its axes."},
+    {"transforms", {"q"}, {"T", "T_inverse", "dT", "d2T", "d3T"}, Masses::kAny, nullptr, nullptr,
+     "Homogeneous transforms of the reported frames, their inverses and derivatives."},
     {"com", {"q", "v"}, {"c", "vc"}, Masses::kOwn, nullptr, nullptr,
      "Centre of mass of the moving links, and its velocity."},
     {"com_jacobian", {"q"}, {"Jc"}, Masses::kOwn, nullptr, nullptr,
@@ -123,8 +125,10 @@ Signature plain_signature(const Entry& entry, const Setup& setup) {
       s.inputs.push_back(input_argument(input, setup));
   for (const Parameter& parameter : setup.parameters)
     s.inputs.push_back(parameter_argument(parameter));
-  for (const char* output : entry.outputs)
-    s.outputs.push_back(output_argument(entry.name, output, setup));
+  const size_t outputs = s.name == "transforms" ? static_cast<size_t>(2 + setup.transform_order)
+                                                : entry.outputs.size();
+  for (size_t k = 0; k < outputs; ++k)
+    s.outputs.push_back(output_argument(entry.name, entry.outputs[k], setup));
   if (entry.positive) s.positive = entry.positive;
   return s;
 }
@@ -182,6 +186,8 @@ std::vector<LoweringOptions> lowerings(const std::string& function) {
   return {{FrameChoice::kAxis, regroup}, {FrameChoice::kDenavit, regroup}};
 }
 
-EngineFrames engine_frames(const Setup& setup) { return {setup.frames, setup.loads, setup.axes}; }
+EngineFrames engine_frames(const Setup& setup) {
+  return {setup.frames, setup.loads, setup.axes, setup.transform_order};
+}
 
 }  // namespace arboc

@@ -22,16 +22,18 @@
 #include "algorithms/regressor.h"
 #include "algorithms/rnea.h"
 #include "algorithms/rnea_derivatives.h"
+#include "algorithms/transforms.h"
 
 /// X(name) for each method of Engine.
-#define ARBOC_ENGINE_METHODS(X)                                                               \
-  X(fk)                                                                                       \
-  X(rnea)                                                                                     \
-  X(gravity)                                                                                  \
-  X(nle)                                                                                      \
-  X(crba) X(minv) X(aba) X(rnea_derivatives) X(aba_derivatives) X(frame_velocity)             \
-      X(frame_acceleration) X(frame_jacobian) X(frame_jacobian_dot) X(joint_jacobians) X(com) \
-          X(com_jacobian) X(centroidal) X(energy) X(regressor) X(integrate) X(difference)     \
+#define ARBOC_ENGINE_METHODS(X)                                                                 \
+  X(fk)                                                                                         \
+  X(rnea)                                                                                       \
+  X(gravity)                                                                                    \
+  X(nle)                                                                                        \
+  X(crba)                                                                                       \
+  X(minv) X(aba) X(rnea_derivatives) X(aba_derivatives) X(frame_velocity) X(frame_acceleration) \
+      X(frame_jacobian) X(frame_jacobian_dot) X(joint_jacobians) X(transforms) X(com)           \
+          X(com_jacobian) X(centroidal) X(energy) X(regressor) X(integrate) X(difference)       \
               X(integrate_derivatives) X(difference_derivatives)
 
 namespace arboc {
@@ -41,6 +43,7 @@ struct EngineFrames {
   std::vector<int> reported;
   std::vector<int> loaded;
   Axes axes = Axes::kLocal;
+  int transform_order = 1;  ///< derivatives that transforms() has
 };
 
 template <class Tree, class T>
@@ -115,6 +118,10 @@ class Engine {
   void joint_jacobians(const Inputs& in, Outputs out) {
     arboc::joint_jacobians(tree_, use(joint_jacobians_), in.q, out[0]);
   }
+  void transforms(const Inputs& in, Outputs out) {
+    arboc::transforms(tree_, use(transforms_), in.q, frames_.reported, frames_.transform_order,
+                      out);
+  }
   void com(const Inputs& in, Outputs out) {
     arboc::com(tree_, use(com_), in.q, in.v, out[0], out[1]);
   }
@@ -165,6 +172,7 @@ class Engine {
   std::unique_ptr<FrameMotionWorkspace<T>> frame_motion_;
   std::unique_ptr<FrameJacobianWorkspace<T>> frame_jacobian_;
   std::unique_ptr<JointJacobiansWorkspace<T>> joint_jacobians_;
+  std::unique_ptr<TransformsWorkspace<T>> transforms_;
   std::unique_ptr<ComWorkspace<T>> com_;
   std::unique_ptr<CentroidalWorkspace<T>> centroidal_;
   std::unique_ptr<EnergyWorkspace<T>> energy_;

@@ -50,6 +50,7 @@ Setup resolve(Model model, const FunctionOptions& options) {
                                         : links_called(model, options.frames, "--frames");
   setup.loads = links_called(model, options.external_forces, "--external-forces");
   setup.axes = options.axes;
+  setup.transform_order = options.transform_order;
   setup.joint_forces = options.joint_forces;
   setup.parameters = resolve_parameters(model, options.parameters);
   check_springs(setup);

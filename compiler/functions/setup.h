@@ -23,6 +23,7 @@ struct FunctionOptions {
   std::vector<std::string> frames;           ///< links; none: those that a joint moves
   Axes axes = Axes::kLocal;                  ///< of frame velocities, Jacobians and loads
   std::vector<std::string> external_forces;  ///< links on which wrenches act
+  int transform_order = 1;                   ///< highest derivative of transforms, 0 to 3
   JointForces joint_forces;
   std::vector<std::string> parameters;  ///< `masses`, `lengths:forearm`, ...
   /// Hessians as derivatives of derivatives along the body's axes, not symmetric where a joint
@@ -37,6 +38,7 @@ struct Setup {
   std::vector<int> loads;   ///< links on which external wrenches act
   std::vector<int> moving;  ///< links moved by a joint, in the order of the joints
   Axes axes = Axes::kLocal;
+  int transform_order = 1;
   JointForces joint_forces;
   std::vector<Parameter> parameters;
   bool iterated = false;

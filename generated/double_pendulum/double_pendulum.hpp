@@ -231,6 +231,29 @@ inline Eigen::Matrix<double, 6, 2> joint_jacobians(const Config& q) {
   return J_world;
 }
 
+/// Outputs of transforms; those left null are not wanted.
+struct Transforms {
+  Eigen::Matrix<double, 8, 4>* T_ = nullptr;  ///< 1, m; four rows a frame: rotation and origin in the world, and 0 0 0 1
+  Eigen::Matrix<double, 8, 4>* T_inverse = nullptr;  ///< 1, m; four rows a frame: the inverse of T
+  Eigen::Matrix<double, 8, 8>* dT = nullptr;  ///< 1, m; four columns a coordinate k, from 4 k on: derivatives of T
+};
+/// Homogeneous transforms of the reported frames, their inverses and derivatives.
+inline void transforms(const Config& q, const Transforms& out) {
+  double T_[14];
+  double T_inverse[14];
+  double dT[14];
+  raw::transforms<double>(q.data(), T_, T_inverse, dT);
+  if (out.T_) {
+    raw::scatter_transforms_T(T_, out.T_->data(), 1, 8);
+  }
+  if (out.T_inverse) {
+    raw::scatter_transforms_T_inverse(T_inverse, out.T_inverse->data(), 1, 8);
+  }
+  if (out.dT) {
+    raw::scatter_transforms_dT(dT, out.dT->data(), 1, 8);
+  }
+}
+
 /// Outputs of com; those left null are not wanted.
 struct Com {
   Eigen::Matrix<double, 3, 1>* c = nullptr;  ///< m; centre of mass in the world

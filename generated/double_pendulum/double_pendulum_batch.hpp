@@ -228,6 +228,19 @@ struct joint_jacobians_fn {
   }
 };
 
+/// Homogeneous transforms of the reported frames, their inverses and derivatives.
+struct transforms_fn {
+  static constexpr const char* name = "transforms";
+  static constexpr int inputs = 1, outputs = 3;
+  static constexpr int input_size[1] = {2};
+  static constexpr int output_size[3] = {14, 14, 14};
+  template <class T>
+  static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
+    raw::transforms<T>(in[0], out[0], out[1], out[2]);
+    return {};
+  }
+};
+
 /// Centre of mass of the moving links, and its velocity.
 struct com_fn {
   static constexpr const char* name = "com";

@@ -182,6 +182,27 @@ inline constexpr int joint_jacobians_J_world_col[4] = {
     0, 1, 1, 1};
 inline constexpr int joint_jacobians_J_world_colptr[3] = {
     0, 1, 4};
+inline constexpr int transforms_T_nnz = 14;
+inline constexpr int transforms_T_row[14] = {
+    0, 2, 4, 6, 1, 5, 0, 2, 4, 6, 3, 4, 6, 7};
+inline constexpr int transforms_T_col[14] = {
+    0, 0, 0, 0, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+inline constexpr int transforms_T_colptr[5] = {
+    0, 4, 6, 10, 14};
+inline constexpr int transforms_T_inverse_nnz = 14;
+inline constexpr int transforms_T_inverse_row[14] = {
+    0, 2, 4, 6, 1, 5, 0, 2, 4, 6, 3, 4, 6, 7};
+inline constexpr int transforms_T_inverse_col[14] = {
+    0, 0, 0, 0, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+inline constexpr int transforms_T_inverse_colptr[5] = {
+    0, 4, 6, 10, 14};
+inline constexpr int transforms_dT_nnz = 14;
+inline constexpr int transforms_dT_row[14] = {
+    0, 2, 4, 6, 0, 2, 4, 6, 4, 6, 4, 6, 4, 6};
+inline constexpr int transforms_dT_col[14] = {
+    0, 0, 0, 0, 2, 2, 2, 2, 3, 3, 4, 4, 6, 6};
+inline constexpr int transforms_dT_colptr[9] = {
+    0, 4, 4, 8, 10, 12, 12, 14, 14};
 inline constexpr int com_jacobian_Jc_nnz = 4;
 inline constexpr int com_jacobian_Jc_row[4] = {
     0, 2, 0, 2};
@@ -336,6 +357,11 @@ template <class T>
 void joint_jacobians(const T* q, T* J_world) noexcept;
 extern template void joint_jacobians<double>(const double* q, double* J_world) noexcept;
 
+/// Homogeneous transforms of the reported frames, their inverses and derivatives.
+template <class T>
+void transforms(const T* q, T* T_, T* T_inverse, T* dT) noexcept;
+extern template void transforms<double>(const double* q, double* T_, double* T_inverse, double* dT) noexcept;
+
 /// Centre of mass of the moving links, and its velocity.
 template <class T>
 void com(const T* q, const T* v, T* c, T* vc) noexcept;
@@ -481,6 +507,21 @@ void scatter_frame_acceleration_derivatives_dacceleration_da(const T* entries, T
 template <class T>
 void scatter_joint_jacobians_J_world(const T* entries, T* dense, int row_step = 2, int col_step = 1) {
   detail::scatter(entries, sparsity::joint_jacobians_J_world_nnz, sparsity::joint_jacobians_J_world_row, sparsity::joint_jacobians_J_world_col, false, dense, 12,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_transforms_T(const T* entries, T* dense, int row_step = 4, int col_step = 1) {
+  detail::scatter(entries, sparsity::transforms_T_nnz, sparsity::transforms_T_row, sparsity::transforms_T_col, false, dense, 32,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_transforms_T_inverse(const T* entries, T* dense, int row_step = 4, int col_step = 1) {
+  detail::scatter(entries, sparsity::transforms_T_inverse_nnz, sparsity::transforms_T_inverse_row, sparsity::transforms_T_inverse_col, false, dense, 32,
+                  row_step, col_step);
+}
+template <class T>
+void scatter_transforms_dT(const T* entries, T* dense, int row_step = 8, int col_step = 1) {
+  detail::scatter(entries, sparsity::transforms_dT_nnz, sparsity::transforms_dT_row, sparsity::transforms_dT_col, false, dense, 64,
                   row_step, col_step);
 }
 template <class T>

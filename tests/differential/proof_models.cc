@@ -95,6 +95,7 @@ Setup proof_setup(const Model& model, const Variation& variation) {
   for (size_t k = 0; k < model.links.size(); ++k)
     if (static_cast<int>(k) != model.root) options.frames.push_back(model.links[k].name);
   options.axes = variation.axes;
+  options.transform_order = variation.transform_order;
   options.iterated = variation.iterated;
   options.parameters = variation.parameters;
   if (variation.loads) {

@@ -36,6 +36,7 @@ struct Variation {
   bool joint_forces = false;
   bool iterated = false;
   Axes axes = Axes::kLocal;
+  int transform_order = 1;
   std::vector<std::string> parameters{};
 };
 

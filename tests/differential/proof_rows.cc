@@ -80,6 +80,15 @@ void add_axes_rows(std::vector<Row>& rows) {
       rows.push_back({{f}, v});
 }
 
+void add_transform_rows(std::vector<Row>& rows) {
+  Variation v{"third derivatives"};
+  v.transform_order = 3;
+  rows.push_back({{"transforms"}, v});
+  v.name = "third derivatives, parameters";
+  v.parameters = {"lengths"};
+  rows.push_back({{"transforms"}, v});
+}
+
 void add_parameter_rows(std::vector<Row>& rows) {
   Variation v{"parameters"};
   v.parameters = {"gravity", "masses", "centres", "inertias", "lengths"};
@@ -161,6 +170,7 @@ std::vector<Row> option_rows() {
   std::vector<Row> rows;
   add_force_rows(rows);
   add_axes_rows(rows);
+  add_transform_rows(rows);
   add_parameter_rows(rows);
   return rows;
 }

@@ -25,7 +25,7 @@ Outcome run(const std::string& command, const std::string& folder) {
   RunOptions options;
   options.folder = folder;
   return run_program({"bash", "-c",
-                      "arboc() { \"" + arboc_command({})[0] + "\" \"$@\"; }\nln -s " +
+                      "arboc() { \"" + arboc_command({})[0] + "\" \"$@\"; }\nln -sfn " +
                           ARBOC_SOURCE_DIR "/models models\n" + command},
                      options);
 }

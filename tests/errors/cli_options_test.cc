@@ -74,7 +74,8 @@ TEST(CliOptions, Functions) {
         "--functions: there is no function '' (known are 'fk', 'rnea', 'gravity', 'nle', 'crba', "
         "'minv', 'aba', 'rnea_derivatives', 'aba_derivatives', 'rnea_hessian', 'frame_velocity', "
         "'frame_acceleration', 'frame_jacobian', 'frame_jacobian_dot', "
-        "'frame_velocity_derivatives', 'frame_acceleration_derivatives', 'joint_jacobians', 'com', "
+        "'frame_velocity_derivatives', 'frame_acceleration_derivatives', 'joint_jacobians', "
+        "'transforms', 'com', "
         "'com_jacobian', 'centroidal', 'energy', 'regressor', 'integrate', 'difference', "
         "'integrate_derivatives', 'difference_derivatives')"},
        {{"--frames", "lower_rot"},
@@ -83,6 +84,7 @@ TEST(CliOptions, Functions) {
         "--frames: there is no link 'tool' (known are 'base', 'upper_rod', 'lower_rod')"},
        {{"--frames", ""}, "--frames: the list is empty"},
        {{"--axes", "body"}, "--axes: expected local or world or aligned, not 'body'"},
+       {{"--transform-order", "4"}, "--transform-order: Value 4 not in range 0 to 3"},
        {{"--external-forces", "lower_rod,lower_rod"},
         "--external-forces: link 'lower_rod' is given twice"},
        {{"--external-forces", "tool"},

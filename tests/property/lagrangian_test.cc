@@ -73,6 +73,12 @@ TEST(Lagrangian, IsInverseDynamicsOfOwnModels) {
   expect_inverse_dynamics(expanded("humanoid", Base::kFloating), 100);
 }
 
+TEST(Lagrangian, IsInverseDynamicsOfTheHuman) {
+  const Model model = own_model("santos");
+  ASSERT_EQ(coordinates(model).nv, 55);
+  expect_inverse_dynamics(model, 1000);
+}
+
 TEST(Lagrangian, IsInverseDynamicsOfATreeOf55Joints) {
   const Model model = random_tree(1, 55);
   ASSERT_EQ(coordinates(model).nv, 55);
