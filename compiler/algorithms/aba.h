@@ -39,7 +39,8 @@ void aba(const Tree& tree, AbaWorkspace<T>& work, const T* q, const T* v, const 
   composite_bodies(tree, pose, work.composite, q, M);
   ltdl(tree, work.body, q, M, work.D_inverse.data());
   for (int k = 0; k < tree.nv; ++k) pivots[k] = M(k, k);
-  solve(tree, M, work.D_inverse.data(), qdd);
+  enter_block(q, tree.body[1].link, "solve");
+  solve(tree, M, work.D_inverse.data(), q, qdd);
 }
 
 }  // namespace arboc

@@ -47,7 +47,7 @@ void aba_derivatives(const Tree& tree, AbaDerivativesWorkspace<T>& work, const T
   const auto divide = [&](const SquareMatrix<T>& A, const auto& X) {
     for (int j = 0; j < n; ++j) {
       for (int i = 0; i < n; ++i) work.column[i] = -A(i, j);
-      solve(tree, LD, D_inverse, work.column.data());
+      solve(tree, LD, D_inverse, q, work.column.data());
       for (int i = 0; i < n; ++i) X(i, j) = work.column[i];
     }
   };

@@ -9,4 +9,9 @@ namespace arboc {
 inline void enter_block(const double* /*inputs*/, const std::string& /*link*/,
                         const char* /*phase*/) {}
 
+/// Work that follows is not to be mixed with what came before: nothing else fixes the order within
+/// a block (graph/canonical.h).
+template <class T>
+inline void next_step(const T* /*inputs*/) {}
+
 }  // namespace arboc

@@ -112,6 +112,7 @@ void composite_bodies(const Tree& tree, const Poses<T>& pose, std::vector<Compos
         wrench = up(tree.body[k], pose[k], wrench);
         k = tree.body[k].parent;
         add_entries(tree.body[k], body, d, wrench, M);
+        next_step(q);
       }
     }
     if (body.parent == 0) continue;

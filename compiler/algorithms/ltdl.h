@@ -38,15 +38,18 @@ void ltdl(const Tree& tree, const std::vector<int>& body, const T* q, Matrix& M,
   }
 }
 
-/// x <- (L^T D L)^-1 x.
+/// x <- (L^T D L)^-1 x.  q: where the step of a trace is kept.
 template <class Tree, class T, class Matrix>
-void solve(const Tree& tree, const Matrix& LD, const T* D_inverse, T* x) {
+void solve(const Tree& tree, const Matrix& LD, const T* D_inverse, const T* q, T* x) {
   for (int k = tree.nv - 1; k >= 0; --k) {
+    next_step(q);
     for (const int i : tree.coupled[k]) x[i] = x[i] - limb_sum(tree, k, i, i, LD(i, k) * x[k]);
     x[k] = x[k] * D_inverse[k];
   }
-  for (int k = 0; k < tree.nv; ++k)
+  for (int k = 0; k < tree.nv; ++k) {
+    next_step(q);
     for (const int i : tree.coupled[k]) x[k] = x[k] - LD(i, k) * x[i];
+  }
 }
 
 }  // namespace arboc

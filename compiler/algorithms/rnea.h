@@ -85,6 +85,7 @@ void sweep_out(const Tree& tree, const Poses<T>& pose, RneaWorkspace<T>& work, c
     const auto& body = tree.body[i];
     enter_block(q, body.link, "motion");
     advance<kAccelerated>(body, pose[i], work.motion[body.parent], v, a, work.motion[i]);
+    next_step(q);
     work.wrench[i] = inertial_wrench(body.inertia, work.motion[i], work.needed[i]);
   }
 }

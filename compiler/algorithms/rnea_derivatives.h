@@ -224,11 +224,13 @@ void rnea_derivatives(const Tree& tree, RneaDerivativesWorkspace<T>& work, const
           derivative_column(work.composite[j], work.moments[j], work.perturbation[6 * j + d], c);
       out.add_rows(body, body, d, column);
       turn_with_body(work.rnea.wrench[j], c, column.q);
+      next_step(q);
       for (int k = j; tree.body[k].parent != 0;) {
         carry(tree.body[k], work.rnea.pose[k], work.drift[k], column);
         k = tree.body[k].parent;
         out.add_rows(tree.body[k], body, d, column);
         out.add_columns(tree.body[k], &work.perturbation[6 * k], body, d, column);
+        next_step(q);
       }
     }
     if (body.parent == 0) continue;

@@ -1,8 +1,9 @@
-// An adjoint is the derivative of the value by a node.  It is summed up in the order in which the
-// sweep meets the users, so that nodes with the same users share the sums; what is used once
+// An adjoint is the derivative of the value by a node.  What its users add to it is summed up in
+// the order of those nodes, so that nodes with the same users share the sums; what is used once
 // becomes a chain of fused operations later.
 #include "derive/reverse.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "derive/rules.h"
@@ -16,7 +17,8 @@ class ReverseSweep {
       : builder_(builder),
         zero_(builder.constant(0)),
         barrier_(barriers(coordinates, end_of(sum.terms))),
-        adjoint_(barrier_.size(), zero_) {
+        adjoint_(barrier_.size(), zero_),
+        amounts_(barrier_.size()) {
     find_active(sum);
     find_slopes(coordinates);
     direct_.assign(coordinates.size(), zero_);
@@ -128,11 +130,19 @@ class ReverseSweep {
   }
 
   void add(Ref to, Ref amount) {
-    Ref& adjoint = adjoint_[to.node()];
-    if (active_[to.node()]) adjoint = builder_.add(adjoint, amount.with_sign_of(to));
+    if (active_[to.node()]) amounts_[to.node()].push_back(amount.with_sign_of(to));
+  }
+
+  /// All users have been visited.
+  void sum_up(std::uint32_t n) {
+    std::vector<Ref>& amounts = amounts_[n];
+    std::stable_sort(amounts.begin(), amounts.end(),
+                     [](Ref x, Ref y) { return x.node() < y.node(); });
+    for (const Ref amount : amounts) adjoint_[n] = builder_.add(adjoint_[n], amount);
   }
 
   void visit(std::uint32_t n) {
+    sum_up(n);
     if (barrier_[n] || !active_[n] || is_zero(builder_, adjoint_[n])) return;
     const Region& region = builder_.region();
     const std::uint16_t block = region.nodes[n].block;
@@ -148,8 +158,9 @@ class ReverseSweep {
   std::vector<char> barrier_, active_;
   std::vector<Slope> slope_;
   std::vector<Ref> adjoint_;
-  std::vector<Ref> direct_;  ///< per coordinate: what turned vectors give it
-  int block_ = -1;           ///< of the node visited last
+  std::vector<std::vector<Ref>> amounts_;  ///< what the users of each node add to its adjoint
+  std::vector<Ref> direct_;                ///< per coordinate: what turned vectors give it
+  int block_ = -1;                         ///< of the node visited last
 };
 
 }  // namespace

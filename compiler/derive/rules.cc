@@ -11,17 +11,21 @@ Partial partial(Ref operand, Ref factor) {
 }
 
 /// db/dw of the curvature b = (c_2 - c_3) / (4 c_1) at y = L^2 (1 - w^2) / 4, half the angle
-/// squared, L the logarithm of w: dy/dw = -L.
+/// squared, L the logarithm of w: dy/dw = -L.  One node a line: the order of nodes is part of the
+/// result, and C++ leaves the order of arguments open.
 Ref curvature_slope(Builder& builder, Ref w, Ref b) {
   const auto times = [&](double factor, Ref x) { return builder.mul(builder.constant(factor), x); };
   const Ref L = builder.quaternion_log(w);
+  const Ref square = builder.mul(L, L);
   const Ref sine = builder.add(builder.constant(1), -builder.mul(w, w));
-  const Ref y = times(0.25, builder.mul(builder.mul(L, L), sine));
-  const auto c = [&](int k) { return builder.stumpff(k, y); };
-  const Ref numerator = builder.add(
-      times(1.5, builder.add(c(4), -c(5))),
-      builder.add(times(-0.5, c(3)), times(2, builder.mul(b, builder.add(c(2), -c(3))))));
-  const Ref slope = builder.div(numerator, times(4, c(1)));
+  const Ref y = times(0.25, builder.mul(square, sine));
+  Ref c[6];
+  for (int k = 1; k < 6; ++k) c[k] = builder.stumpff(k, y);
+  const Ref direct = times(1.5, builder.add(c[4], -c[5]));
+  const Ref half = times(-0.5, c[3]);
+  const Ref through_b = times(2, builder.mul(b, builder.add(c[2], -c[3])));
+  const Ref numerator = builder.add(direct, builder.add(half, through_b));
+  const Ref slope = builder.div(numerator, times(4, c[1]));
   return -builder.mul(L, slope);
 }
 
@@ -55,7 +59,8 @@ Partials partials(Builder& builder, std::uint32_t n) {
       return {{partial(a, builder.add(second, next))}, 1};
     }
     case Op::kQuaternionLog: {  // dL/dw = -2 b L^2
-      const Ref curved = builder.mul(builder.log_curvature(a), builder.mul(self, self));
+      const Ref b_w = builder.log_curvature(a);
+      const Ref curved = builder.mul(b_w, builder.mul(self, self));
       return {{partial(a, builder.mul(builder.constant(-2), curved))}, 1};
     }
     case Op::kLogCurvature: return {{partial(a, curvature_slope(builder, a, self))}, 1};

@@ -5,6 +5,7 @@
 
 #include "functions/lane_tree.h"
 #include "functions/run.h"
+#include "graph/canonical.h"
 
 namespace arboc {
 namespace {
@@ -35,7 +36,11 @@ class LaneTracer {
       a.rows = tree_.tree.nv;
       a.cols = a.cols == 1 ? 1 : tree_.tree.nv;
     }
-    const auto results = arboc::run(reduced, tree_.tree, setup_, inputs);
+    auto results = arboc::run(reduced, tree_.tree, setup_, inputs);
+    std::vector<Expr*> roots;
+    for (std::vector<Expr>& result : results)
+      for (Expr& x : result) roots.push_back(&x);
+    canonicalise(builder_, roots, NodeOrder::kByCones);
     for (size_t k = 0; k < signature_.outputs.size(); ++k) {
       const Argument& a = signature_.outputs[k];
       output(a.code(), a.cols == 1 ? vector(results[k]) : matrix(a, results[k], patterns[k]));

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/diagnostic.h"
+#include "derive/coordinate.h"
 #include "derive/hessian.h"
 #include "derive/jacobian.h"
 #include "derive/reverse.h"
@@ -12,6 +13,7 @@
 #include "functions/run.h"
 #include "functions/symbolic_tree.h"
 #include "functions/tangent.h"
+#include "graph/canonical.h"
 
 namespace arboc {
 namespace {
@@ -99,8 +101,36 @@ class Tracer {
     return results;
   }
 
+  /// Puts what was traced into an order that does not depend on the compiler of this program.
+  void settle(NodeOrder order, std::vector<std::vector<Expr>>& results,
+              std::vector<CoordinateBlock>& blocks) {
+    std::vector<Ref> roots;
+    const auto each = [&](auto&& visit) {
+      for (auto& [name, input] : inputs_)
+        for (Expr& x : input) visit(x);
+      for (auto& result : results)
+        for (Expr& x : result) visit(x);
+      for (Expr& x : pivots_) visit(x);
+    };
+    each([&](Expr& x) { roots.push_back(x.ref(builder_)); });
+    for (CoordinateBlock& block : blocks)
+      for (Coordinate& c : block)
+        for (Seed& s : c.seeds) roots.insert(roots.end(), {s.node, s.derivative});
+    roots = canonicalise(builder_, roots, order);
+    auto next = roots.begin();
+    each([&](Expr& x) { x = Expr(&builder_, *next++); });
+    for (CoordinateBlock& block : blocks)
+      for (Coordinate& c : block)
+        for (Seed& s : c.seeds) {
+          s.node = *next++;
+          s.derivative = *next++;
+        }
+  }
+
   void plain() {
-    const std::vector<std::vector<Expr>> results = evaluate(signature_);
+    std::vector<std::vector<Expr>> results = evaluate(signature_);
+    std::vector<CoordinateBlock> none;
+    settle(NodeOrder::kByCones, results, none);
     for (size_t k = 0; k < results.size(); ++k) {
       const Argument& a = signature_.outputs[k];
       Pattern& pattern = patterns_.emplace_back();
@@ -112,18 +142,21 @@ class Tracer {
     Request base;
     base.function = request_.function;
     const Signature s = signature(base, setup_);
-    const std::vector<std::vector<Expr>> results = evaluate(s);
+    std::vector<std::vector<Expr>> results = evaluate(s);
+    const std::vector<std::string> with = derived_inputs(request_, s);
+    std::vector<CoordinateBlock> blocks;
+    for (const std::string& input : with) blocks.push_back(coordinates(input));
+    settle(NodeOrder::kByLevels, results, blocks);
     size_t k = 0;
     while (s.outputs[k].name != request_.output) ++k;
     std::vector<Ref> values;
     for (const Expr& x : filled(s.outputs[k], results[k])) values.push_back(x.ref(builder_));
-    const std::vector<std::string> with = derived_inputs(request_, s);
     if (request_.derivative == Derivative::kJacobian)
-      jacobians(values, with);
+      jacobians(values, blocks);
     else if (request_.derivative == Derivative::kHessian)
-      hessians(weighted(values), with);
+      hessians(weighted(values), with, blocks);
     else
-      gradients(weighted(values), with);
+      gradients(weighted(values), blocks);
   }
 
   /// Both triangles of a symmetric matrix.
@@ -156,18 +189,18 @@ class Tracer {
   }
 
   /// Those of several inputs in one list; `first` receives where each begins, and the end.
-  std::vector<Coordinate> all_coordinates(const std::vector<std::string>& with,
-                                          std::vector<int>& first) {
+  static std::vector<Coordinate> all_coordinates(const std::vector<CoordinateBlock>& blocks,
+                                                 std::vector<int>& first) {
     std::vector<Coordinate> all;
-    for (const std::string& input : with) {
+    for (const CoordinateBlock& block : blocks) {
       first.push_back(static_cast<int>(all.size()));
-      for (Coordinate& c : coordinates(input)) all.push_back(std::move(c));
+      all.insert(all.end(), block.begin(), block.end());
     }
     first.push_back(static_cast<int>(all.size()));
     return all;
   }
 
-  void jacobians(const std::vector<Ref>& values, const std::vector<std::string>& with) {
+  void jacobians(const std::vector<Ref>& values, const std::vector<CoordinateBlock>& with) {
     std::vector<int> first;
     const std::vector<Coordinate> all = all_coordinates(with, first);
     const SparseMatrix J = jacobian(builder_, values, all);
@@ -180,7 +213,7 @@ class Tracer {
     }
   }
 
-  void gradients(const WeightedSum& sum, const std::vector<std::string>& with) {
+  void gradients(const WeightedSum& sum, const std::vector<CoordinateBlock>& with) {
     std::vector<int> first;
     const std::vector<Coordinate> all = all_coordinates(with, first);
     const std::vector<Ref> g = gradient(builder_, sum, all);
@@ -198,9 +231,8 @@ class Tracer {
     throw std::logic_error("no block " + output);
   }
 
-  void hessians(const WeightedSum& sum, const std::vector<std::string>& with) {
-    std::vector<CoordinateBlock> blocks;
-    for (const std::string& input : with) blocks.push_back(coordinates(input));
+  void hessians(const WeightedSum& sum, const std::vector<std::string>& with,
+                const std::vector<CoordinateBlock>& blocks) {
     std::vector<BlockPair> pairs;
     for (const Argument& a : signature_.outputs) pairs.push_back(pair(a.name, with));
     if (!setup_.iterated) {
@@ -209,7 +241,7 @@ class Tracer {
       return;
     }
     std::vector<int> first;
-    const SparseMatrix H = iterated_hessian(builder_, sum, all_coordinates(with, first));
+    const SparseMatrix H = iterated_hessian(builder_, sum, all_coordinates(blocks, first));
     for (size_t p = 0; p < pairs.size(); ++p) {
       const auto [r, c] = pairs[p];
       SparseMatrix part;

@@ -46,6 +46,7 @@ void Builder::output(const std::string& name, const std::vector<Ref>& entries) {
 }
 
 void Builder::begin_block(const std::string& title) {
+  next_step();
   if (region_.blocks[block_] == title) return;
   if (region_.blocks.size() > 0xFFFE) return;  // the rest joins the last block
   region_.blocks.push_back(title);
@@ -110,6 +111,7 @@ Ref Builder::intern(const Node& node) {
   region_.nodes.push_back(node);
   region_.nodes.back().block = block_;
   region_.nodes.back().width = static_cast<std::uint8_t>(width);
+  steps_.push_back(step_);
   table_[slot] = static_cast<std::uint32_t>(region_.nodes.size());
   ++used_;
   return Ref(table_[slot] - 1);

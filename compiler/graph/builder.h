@@ -26,6 +26,10 @@ class Builder {
   void output(const std::string& name, const std::vector<Ref>& entries);
   /// Nodes made from now on belong to a block of this title.
   void begin_block(const std::string& title);
+  /// Nodes made from now on belong to a new step, as after begin_block.
+  void next_step() { ++step_; }
+  /// In which step a node was made.
+  std::uint32_t step(std::uint32_t node) const { return steps_[node]; }
 
   Ref constant(double value);
   Ref constant(const Lanes& value);
@@ -72,6 +76,8 @@ class Builder {
 
   Region region_;
   std::uint16_t block_ = 0;
+  std::uint32_t step_ = 0;
+  std::vector<std::uint32_t> steps_;  ///< per node
   std::uint32_t next_input_ = 0;
   std::vector<std::uint32_t> table_;  ///< open addressing; node + 1, 0 is free
   size_t used_ = 0;

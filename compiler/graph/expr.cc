@@ -102,4 +102,8 @@ void enter_block(const Expr* inputs, const std::string& subject, const char* pha
   if (inputs->builder()) inputs->builder()->begin_block(subject + ", " + phase);
 }
 
+void next_step(const Expr* inputs) {
+  if (inputs->builder()) inputs->builder()->next_step();
+}
+
 }  // namespace arboc

@@ -67,5 +67,7 @@ inline bool coincide(const Expr& x, const Expr& y) {
 
 /// Titles the nodes made from now on; `inputs` points to any traced input.
 void enter_block(const Expr* inputs, const std::string& subject, const char* phase);
+/// The nodes made from now on come behind those made before.
+void next_step(const Expr* inputs);
 
 }  // namespace arboc

@@ -13,14 +13,6 @@ std::string read_file(const std::string& path);
 /// Makes the folders above it.
 void write_file(const std::string& path, const std::string& bytes);
 
-/// Operands of one C++ expression are traced in the order in which the compiler of arboc evaluates
-/// them, and the committed text is that of g++: elsewhere terms stand in another order.
-#if defined(__GNUC__) && !defined(__clang__)
-inline constexpr bool kTracesLikeCommitted = true;
-#else
-inline constexpr bool kTracesLikeCommitted = false;
-#endif
-
 /// Compares, naming the first line that differs, or rewrites.
 void expect_golden(const std::string& path, const std::string& actual);
 
