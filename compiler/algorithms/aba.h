@@ -26,8 +26,13 @@ struct AbaWorkspace {
         body(body_of_coordinate(tree)) {}
 };
 
-/// q (nq), v, tau (nv) -> qdd (nv) and the pivots D of M (nv).  A pivot that is not positive says
-/// that M is not positive definite, and then qdd means nothing.
+/// How far a pivot D_k must stay from rounding, as a part of M_kk, from which D_k comes by
+/// subtraction: below it not even the sign of D_k can be trusted.
+inline constexpr double kLostPivot = 0x1p-46;  // 64 eps
+
+/// q (nq), v, tau (nv) -> qdd (nv) and the pivots of M (nv), less what rounding may have left of
+/// them.  One that is not positive says that M is not positive definite, or that it cannot be told
+/// from a matrix that is not, and then qdd means nothing.
 template <class Tree, class T>
 void aba(const Tree& tree, AbaWorkspace<T>& work, const T* q, const T* v, const T* tau, T* qdd,
          T* pivots, const FrameLoads<T>* loads = nullptr) {
@@ -37,8 +42,10 @@ void aba(const Tree& tree, AbaWorkspace<T>& work, const T* q, const T* v, const 
   for (int k = 0; k < tree.nv; ++k) qdd[k] = tau[k] - qdd[k];
   UpperTriangle<T> M{work.M.data(), tree.nv};
   composite_bodies(tree, pose, work.composite, q, M);
-  ltdl(tree, work.body, q, M, work.D_inverse.data());
   for (int k = 0; k < tree.nv; ++k) pivots[k] = M(k, k);
+  ltdl(tree, work.body, q, M, work.D_inverse.data());
+  for (int k = 0; k < tree.nv; ++k)
+    pivots[k] = coincide(M(k, k), pivots[k]) ? pivots[k] : M(k, k) - T(kLostPivot) * pivots[k];
   enter_block(q, tree.body[1].link, "solve");
   solve(tree, M, work.D_inverse.data(), q, qdd);
 }
