@@ -124,7 +124,8 @@ std::string manifest(const TargetModel& model, const Files& files) {
   for (const TargetFunction& f : model.functions) json["functions"].push_back(describe(f));
   for (const ExternalFunction& f : model.externals) json["c"].push_back(describe(model, f));
   for (const auto& [path, bytes] : files) json["files"][path] = sha256(bytes);
-  return json.dump(1, ' ', true) + "\n";
+  // The model's file may have any name; bytes that are not UTF-8 become U+FFFD.
+  return json.dump(1, ' ', true, ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace arboc

@@ -5,8 +5,8 @@
 
 namespace arboc {
 
-/// An identifier that is valid in C and C++ and no keyword, macro or name of the generated
-/// interface: other bytes become '_', runs of '_' one; "model" if nothing is left.
+/// An identifier that is valid in C and C++ and no keyword, macro or word of the libraries' headers
+/// or of the generated interface (reserved_words.txt): other bytes become '_', runs of '_' one; "model" if nothing is left.
 std::string identifier(std::string_view text);
 
 /// For macros: a letter in lower case becomes upper case.
