@@ -14,6 +14,7 @@
 #include "cli/bench_compile.h"
 #include "cli/common.h"
 #include "cli/help.h"
+#include "cli/output.h"
 #include "emit/emit.h"
 
 namespace arboc::cli {
@@ -21,7 +22,7 @@ namespace {
 
 struct Arguments {
   Common common;
-  std::string out, stage;
+  std::string out, stage, folder;
   InspectOptions inspect;
   EvalOptions eval;
   int states = 100;
@@ -132,7 +133,17 @@ void add_check(CLI::App& app, Arguments& args) {
       ->check(count())
       ->capture_default_str()
       ->type_name("N");
+  sub->add_option("--folder", args.folder,
+                  "instead: whether the files of a folder that compile wrote are those that its "
+                  "manifest.json lists and, if MODEL is given, whether they were made from it")
+      ->type_name("DIR/NAME");
   add_compiler_options(*sub, args.common);
+  CLI::Option* model = sub->get_option("model");
+  model->required(false);
+  sub->callback([sub, model] {
+    if (model->count() == 0 && sub->count("--folder") == 0)
+      throw CLI::RequiredError("MODEL (or --folder DIR/NAME)");
+  });
 }
 
 void add_bench(CLI::App& app, Arguments& args) {
@@ -156,19 +167,20 @@ int dispatch(const CLI::App& app, const Arguments& args) {
   if (app.got_subcommand("compile")) return run_compile(args.common, args.out, args.stage);
   if (app.got_subcommand("inspect")) return run_inspect(args.common, args.inspect);
   if (app.got_subcommand("eval")) return run_eval(args.common, args.eval);
+  if (app.got_subcommand("check") && !args.folder.empty())
+    return run_check_folder(args.common, args.folder);
   if (app.got_subcommand("check")) return run_check(args.common, args.states);
   if (args.compiling) return run_bench_compile(args.common);
   if (args.in_lanes) return run_bench_lanes(args.common, args.lanes);
   return run_bench(args.common);
 }
 
-int failed(ExitStatus status, const std::string& message) {
-  if (!message.empty()) fmt::print(stderr, "{}\n", message);
-  return status;
-}
-
 /// Everything that can go wrong, as an exit status.
 int run(CLI::App& app, const Arguments& args, int argc, char** argv) {
+  const auto failed = [&](ExitStatus status, const std::string& message) {
+    print_failure(message, args.common);
+    return status;
+  };
   try {
     return parse(app, argc, argv) ? dispatch(app, args) : kOk;
   } catch (const CLI::ParseError& e) {
@@ -182,7 +194,8 @@ int run(CLI::App& app, const Arguments& args, int argc, char** argv) {
   } catch (const OutputError& e) {
     return failed(kOutput, e.what());
   } catch (const Interrupted&) {
-    return failed(kInterrupted, "interrupted");
+    std::fputs("interrupted\n", stderr);
+    return kInterrupted;
   } catch (const std::system_error& e) {  // of fmt::print and std::filesystem
     return failed(kOutput, fmt::format("arboc: error: {}", e.what()));
   } catch (const std::exception& e) {
@@ -195,7 +208,9 @@ int run(CLI::App& app, const Arguments& args, int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace arboc::cli;
+  hold_standard_streams();
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   catch_interrupt();
   CLI::App app("arboc compiles the description of an articulated body to specialised C++ dynamics.",
                "arboc");

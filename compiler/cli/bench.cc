@@ -255,7 +255,7 @@ int run_bench(const Common& common) {
                  row.difference);
     }
   }
-  if (common.json) fmt::print("{}\n", json.dump(1));
+  if (common.json) fmt::print("{}\n", dump(json, 1));
   flush_stdout();
   if (!agree) fmt::print(stderr, "error: generated and generic results differ\n");
   return agree ? kOk : kNo;

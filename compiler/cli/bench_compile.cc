@@ -102,7 +102,7 @@ int run_bench_compile(const Common& common) {
       fmt::print("{:<30} {:>10} {:>8.2f} {:>13.3f} {:>7.0f} {:>10.1f}\n", name, operations,
                  cost.seconds, each, cost.megabytes, size);
   }
-  if (common.json) fmt::print("{}\n", json.dump(1));
+  if (common.json) fmt::print("{}\n", dump(json, 1));
   flush_stdout();
   return kOk;
 }

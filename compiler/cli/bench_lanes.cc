@@ -151,7 +151,7 @@ int run_bench_lanes(const Common& common, const std::string& list) {
     else
       print_text(rows[k], timings[k], lanes);
   }
-  if (common.json) fmt::print("{}\n", json.dump(1));
+  if (common.json) fmt::print("{}\n", dump(json, 1));
   flush_stdout();
   if (!agree) fmt::print(stderr, "error: results differ\n");
   return agree ? kOk : kNo;

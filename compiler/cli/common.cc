@@ -3,14 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
-#include "base/number.h"
-#include "base/words.h"
-#include "cli/help.h"
 #include "frontend/read_model.h"
 
 namespace arboc::cli {
@@ -43,16 +39,39 @@ void check_interrupt() {
   if (interrupted) throw Interrupted();
 }
 
-void print_diagnostics(const Diagnostics& diagnostics, bool notes) {
+nlohmann::ordered_json to_json(const Diagnostic& d) {
+  const char* severity = d.severity == Severity::kError     ? "error"
+                         : d.severity == Severity::kWarning ? "warning"
+                                                            : "note";
+  return {{"severity", severity},    {"file", d.file},
+          {"line", d.location.line}, {"column", d.location.column},
+          {"element", d.element},    {"message", d.message},
+          {"hint", d.hint}};
+}
+
+std::string dump(const nlohmann::ordered_json& json, int indent) {
+  return json.dump(indent, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+void print_diagnostics(const Diagnostics& diagnostics, const Common& common, bool notes) {
   int hidden = 0;
   for (const Diagnostic& d : diagnostics.all()) {
-    if (d.severity == Severity::kNote && !notes)
+    if (common.json_diagnostics)
+      fmt::print(stderr, "{}\n", dump(to_json(d)));
+    else if (d.severity == Severity::kNote && !notes)
       ++hidden;
     else
       fmt::print(stderr, "{}\n", to_string(d));
   }
   if (hidden > 0)
     fmt::print(stderr, "{} note{} (-v prints them)\n", hidden, hidden == 1 ? "" : "s");
+}
+
+void print_failure(const std::string& message, const Common& common) {
+  if (message.empty()) return;
+  std::string text = message;
+  if (common.json_diagnostics) text = dump(to_json({Severity::kError, "", {}, "", message, ""}));
+  std::fputs((text + "\n").c_str(), stderr);  // which may be full; fmt::print() would throw
 }
 
 Model read(const Common& common, Diagnostics& diagnostics) {
@@ -64,7 +83,7 @@ Model read(const Common& common, Diagnostics& diagnostics) {
     }
     return model;
   } catch (const InputError& e) {
-    print_diagnostics(diagnostics, common.verbose);
+    print_diagnostics(diagnostics, common, common.verbose);
     if (diagnostics.error_count() > 0) throw InputError("");  // printed already
     throw;
   }
@@ -77,10 +96,10 @@ Compilation compiled(const Common& common, const CompileOptions& options) {
     CompileOptions with = options;
     with.leave_out_absent = asks_by_default(common);
     Compilation result = compile(model, with, diagnostics);
-    print_diagnostics(diagnostics, common.verbose);
+    print_diagnostics(diagnostics, common, common.verbose);
     return result;
   } catch (const InputError&) {
-    print_diagnostics(diagnostics, common.verbose);
+    print_diagnostics(diagnostics, common, common.verbose);
     throw;
   }
 }

@@ -1,6 +1,7 @@
 // What the subcommands share: model options, reading, reporting, exit statuses.
 #pragma once
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,7 @@ struct Common {
   bool json = false;
   bool verbose = false;
   bool strict = false;  ///< warnings are errors
+  bool json_diagnostics = false;
   std::string cxx;
   std::string cxxflags = "-std=c++17 -O2 -march=native -fno-tree-vectorize";
 };
@@ -78,8 +80,17 @@ Compilation compiled(const Common& common, const CompileOptions& options);
 Model configured(const Common& common, const Model& model, Diagnostics& diagnostics);
 
 /// Prints to stderr what the stages reported: each warning; notes one by one if `notes`, otherwise
-/// their number.
-void print_diagnostics(const Diagnostics& diagnostics, bool notes);
+/// their number.  As JSON everything, one object a line.
+void print_diagnostics(const Diagnostics& diagnostics, const Common& common, bool notes);
+
+/// What ends the program, in the same manner.
+void print_failure(const std::string& message, const Common& common);
+
+/// {"severity", "file", "line", "column", "element", "message", "hint"}; 0 and "" where there is
+/// none.
+nlohmann::ordered_json to_json(const Diagnostic& diagnostic);
+/// JSON in ASCII, on one line or, with `indent`, on several; bytes that are not UTF-8 as U+FFFD.
+std::string dump(const nlohmann::ordered_json& json, int indent = -1);
 
 /// "[3/7] rnea ..." on stderr where it is a terminal and the work takes long.
 void progress(int step, int steps, const std::string& what);
@@ -100,6 +111,8 @@ struct EvalOptions {
 };
 int run_eval(const Common& common, const EvalOptions& options);
 int run_check(const Common& common, int states);
+/// Whether a folder that compile wrote is whole and, if common.path is given, made from that file.
+int run_check_folder(const Common& common, const std::string& folder);
 int run_bench(const Common& common);
 
 }  // namespace arboc::cli

@@ -40,7 +40,7 @@ int run_compile(const Common& common, const std::string& out, const std::string&
   if (stage == "model" && out.empty()) {  // also of a model that cannot be compiled
     Diagnostics diagnostics;
     const Model model = configured(common, read(common, diagnostics), diagnostics);
-    print_diagnostics(diagnostics, common.verbose);
+    print_diagnostics(diagnostics, common, common.verbose);
     fmt::print("{}", print(model));
     flush_stdout();
     return kOk;

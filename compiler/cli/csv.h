@@ -6,7 +6,7 @@
 namespace arboc::cli {
 
 /// Reads a file whose every line has the `columns` numbers of `input`.  Throws InputError that names
-/// file, line and remedy.
+/// file, line and remedy; endless input ends at 1 GiB, or 64 MiB of one line.
 std::vector<std::vector<double>> read_csv(const std::string& path, int columns,
                                           const std::string& input);
 

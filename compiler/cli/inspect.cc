@@ -55,15 +55,6 @@ ordered_json joint_json(const Model& model, const Coordinates& at, size_t k) {
   return row;
 }
 
-ordered_json to_json(const Diagnostic& d) {
-  return {{"severity", d.severity == Severity::kWarning ? "warning" : "note"},
-          {"line", d.location.line},
-          {"column", d.location.column},
-          {"element", d.element},
-          {"message", d.message},
-          {"hint", d.hint}};
-}
-
 ordered_json describe(const Model& model, const Diagnostics& diagnostics) {
   const Coordinates at = coordinates(model);
   ordered_json json{{"name", model.name},
@@ -157,7 +148,7 @@ int run_inspect(const Common& common, const InspectOptions& options) {
   const std::vector<Request> asked = options.ops ? requests(common) : std::vector<Request>{};
   Diagnostics diagnostics;
   const Model model = configured(common, read(common, diagnostics), diagnostics);
-  print_diagnostics(diagnostics, common.verbose || !common.json);
+  print_diagnostics(diagnostics, common, common.verbose || !common.json);
   ordered_json json;
   if (common.json)
     json = describe(model, diagnostics);
@@ -183,7 +174,7 @@ int run_inspect(const Common& common, const InspectOptions& options) {
         if (!asks_by_default(common)) throw;
         Diagnostics left_out;
         report_left_out(request, e, left_out);
-        print_diagnostics(left_out, false);
+        print_diagnostics(left_out, common, false);
         continue;
       }
       const OpCount n = f.program.ops;
@@ -198,7 +189,7 @@ int run_inspect(const Common& common, const InspectOptions& options) {
       if (common.json && f.lanes) json["ops"][function]["lanes"] = f.lanes->program.ops.total();
     }
   }
-  if (common.json) fmt::print("{}\n", json.dump(1, ' ', true));
+  if (common.json) fmt::print("{}\n", dump(json, 1));
   flush_stdout();
   return kOk;
 }

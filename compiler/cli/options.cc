@@ -172,6 +172,11 @@ void add_model_options(CLI::App& app, Common& common) {
       ->type_name("N")
       ->group("Model");
   app.add_flag("--strict", common.strict, "take warnings as errors");
+  app.add_option("--diagnostics", common.json_diagnostics,
+                 "errors, warnings and notes on stderr as text, or as JSON, an object a line")
+      ->transform(choice({"text", "json"}))
+      ->default_str("text")
+      ->type_name("text|json");
   app.add_flag("-v,--verbose", common.verbose, "print each note, and the compiler's command line");
 }
 

@@ -46,6 +46,14 @@ TEST_F(CliEval, WrongTablesExitWith2AndSayWhere) {
   expect("1,\x1b[31m\n", ":1: error: '\\x1b[31m' is not a finite number");
 }
 
+TEST_F(CliEval, EndlessTablesEnd) {
+  const Outcome outcome = run_arboc({"eval", ARBOC_SOURCE_DIR "/models/ur5/ur5.urdf", "--function",
+                                     "gravity", "--engine", "generic", "--q", "/dev/zero"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err,
+            "/dev/zero: error: is too large: the limit is 1024 MiB, and 64 MiB a line\n");
+}
+
 TEST_F(CliEval, MissingTablesExitWith2) {
   const std::string missing = folder_ / "missing.csv";
   const Outcome outcome = eval("gravity", {"--q", missing});
