@@ -23,28 +23,32 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau, T* ARBOC_RESTRICT qdd, T* ARBOC_RESTRICT pivot, T* ARBOC_RESTRICT w) noexcept {
   // upper_rod, motion
-  const T x12 = T(9.81) * w[0];
+  const T x11 = T(9.81) * w[0];
   // lower_rod, motion
-  const T x14 = v[0] * v[0] + T(9.81) * w[4];
-  const T x15 = w[5] * x12 + w[1] * x14;
-  const T x16 = v[0] + v[1];
-  const T x17 = x16 * x16;
-  const T x19 = T(0.15) * x17;
+  const T x13 = v[0] + v[1];
+  const T x14 = x13 * x13;
+  const T x15 = v[0] * v[0] + T(9.81) * w[4];
+  const T x16 = w[5] * x11 + w[1] * x15;
+  const T x18 = T(0.15) * x14;
   // upper_rod, force
-  const T x20 = tau[1] - T(0.15) * x15;
+  const T x19 = tau[1] - T(0.15) * x16;
   // lower_rod, column
-  const T x22 = T(0.050015000000000004) + T(0.15) * w[5];
+  const T x21 = T(0.050015000000000004) + T(0.15) * w[5];
+  // upper_rod, column
+  const T x25 = T(1.050045) + T(0.3) * w[5];
   // lower_rod, factor
-  const T x25 = T(19.99400179946016) * x22;
-  const T x27 = T(1.0500450000000001) + T(0.3) * w[5] - x22 * x25;
-  pivot[0] = x27;
+  const T x27 = T(19.99400179946016) * x21;
+  const T x28 = x25 - x21 * x27;
   // upper_rod, factor
-  const T x28 = T(1.0) / x27;
-  const T x29 = tau[0] - T(11.772) * w[0] + w[1] * x19 - T(0.15) * x15 - x20 * x25;
-  const T x30 = x28 * x29;
-  qdd[0] = x30;
-  const T x31 = T(19.99400179946016) * x20 - x25 * x30;
-  qdd[1] = x31;
+  const T x29 = T(1.0) / x28;
+  const T x31 = x28 - T(1.4210854715202004e-14) * x25;
+  pivot[0] = x31;
+  // upper_rod, solve
+  const T x32 = tau[0] - T(11.772) * w[0] + w[1] * x18 - T(0.15) * x16 - x19 * x27;
+  const T x33 = x29 * x32;
+  qdd[0] = x33;
+  const T x34 = T(19.99400179946016) * x19 - x27 * x33;
+  qdd[1] = x34;
 }
 
 }  // namespace aba_parts
@@ -55,7 +59,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau
 /// in  tau: 2 entries; N m, N; joint forces; floating joints force, moment in the body frame
 /// out qdd: 2 entries; rad/s^2, m/s^2; time derivative of v
 /// Returns 0, or 1 + the index of the first pivot that is not positive; then all is nan.
-/// 8 mul, 1 add, 11 fma, 1 div, 0 sqrt, 2 sincos.
+/// 8 mul, 1 add, 12 fma, 1 div, 0 sqrt, 2 sincos.
 template <class T>
 arboc::status_t<T> aba(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau, T* ARBOC_RESTRICT qdd) noexcept {
   T w[8];

@@ -23,69 +23,73 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau, T* ARBOC_RESTRICT dqdd_dq, T* ARBOC_RESTRICT dqdd_dv, T* ARBOC_RESTRICT Minv, T* ARBOC_RESTRICT pivot, T* ARBOC_RESTRICT w) noexcept {
   // upper_rod, motion
+  const T x11 = T(9.81) * w[0];
   const T x12 = T(9.81) * w[4];
-  const T x13 = T(9.81) * w[0];
   // lower_rod, motion
-  const T x16 = x12 + v[0] * v[0];
-  const T x17 = w[5] * x13 + w[1] * x16;
-  const T x18 = v[0] + v[1];
-  const T x19 = x18 * x18;
-  const T x21 = T(0.15) * x19;
+  const T x14 = x12 + v[0] * v[0];
+  const T x15 = v[0] + v[1];
+  const T x16 = x15 * x15;
+  const T x17 = w[5] * x11 + w[1] * x14;
+  const T x19 = T(0.15) * x16;
   // upper_rod, force
-  const T x22 = tau[1] - T(0.15) * x17;
+  const T x20 = tau[1] - T(0.15) * x17;
   // lower_rod, column
-  const T x23 = T(0.15) * w[1];
-  const T x24 = T(0.15) * w[5];
-  const T x26 = T(0.050015000000000004) + x24;
+  const T x21 = T(0.15) * w[1];
+  const T x22 = T(0.15) * w[5];
+  const T x24 = T(0.050015000000000004) + x22;
   // lower_rod, composite
-  const T x29 = T(1.2) + x24;
+  const T x26 = T(1.2) + x22;
+  // upper_rod, column
+  const T x30 = T(1.050045) + T(0.3) * w[5];
   // lower_rod, factor
-  const T x31 = T(19.99400179946016) * x26;
-  const T x33 = T(1.0500450000000001) + T(0.3) * w[5] - x26 * x31;
-  pivot[0] = x33;
+  const T x32 = T(19.99400179946016) * x24;
+  const T x33 = x30 - x24 * x32;
   // upper_rod, factor
   const T x34 = T(1.0) / x33;
   Minv[0] = x34;
-  const T x35 = tau[0] - T(11.772) * w[0] + w[1] * x21 - T(0.15) * x17 - x22 * x31;
-  const T x36 = x34 * x35;
-  // upper_rod, motion
-  const T x37 = T(2.0) * v[0];
-  // lower_rod, motion
-  const T x38 = x13 + x36;
-  const T x39 = w[5] * x16 - w[1] * x38;
-  const T x40 = x36 + T(19.99400179946016) * x22 - x31 * x36;
-  const T x41 = T(0.15) * x40;
-  const T x42 = T(0.3) * x18;
-  // lower_rod, column
-  const T x43 = T(0.15) * x39;
-  const T x44 = w[1] * x42;
-  const T x45 = x23 * x37;
-  const T x46 = x12 * x24 - x13 * x23;
+  const T x36 = x33 - T(1.4210854715202004e-14) * x30;
+  pivot[0] = x36;
   // upper_rod, solve
-  const T x47 = x13 * x23 - x12 * x29 + x31 * x46;
-  const T x48 = x34 * x47;
-  dqdd_dq[0] = x48;
-  const T x49 = -T(19.99400179946016) * x46 - x31 * x48;
-  dqdd_dq[1] = x49;
-  const T x50 = x43 - w[5] * x21 - w[1] * x41 - x31 * x43;
-  const T x52 = x34 * x50;
-  dqdd_dq[2] = -x52;
-  const T x53 = x31 * x52 - T(2.999100269919024) * x39;
-  dqdd_dq[3] = x53;
-  const T x54 = x44 - x45 + x31 * x45;
+  const T x37 = tau[0] - T(11.772) * w[0] + w[1] * x19 - T(0.15) * x17 - x20 * x32;
+  const T x38 = x34 * x37;
+  // upper_rod, motion
+  const T x40 = T(2.0) * v[0];
+  // lower_rod, motion
+  const T x41 = T(0.3) * x15;
+  const T x42 = x38 + T(19.99400179946016) * x20 - x32 * x38;
+  const T x43 = T(0.15) * x42;
+  const T x44 = x11 + x38;
+  const T x45 = w[5] * x14 - w[1] * x44;
+  // lower_rod, column
+  const T x46 = T(0.15) * x45;
+  const T x47 = w[1] * x41;
+  const T x48 = x21 * x40;
+  const T x49 = x11 * x21 - x12 * x22;
+  // upper_rod, solve
+  const T x50 = x11 * x21 - x12 * x26 - x32 * x49;
+  const T x51 = x34 * x50;
+  dqdd_dq[0] = x51;
+  const T x52 = T(19.99400179946016) * x49 - x32 * x51;
+  dqdd_dq[1] = x52;
+  const T x54 = x46 - w[5] * x19 - w[1] * x43 - x32 * x46;
   const T x55 = x34 * x54;
-  dqdd_dv[0] = x55;
-  const T x56 = -T(19.99400179946016) * x45 - x31 * x55;
-  dqdd_dv[1] = x56;
-  const T x57 = x34 * x44;
-  dqdd_dv[2] = x57;
-  const T x58 = x31 * x57;
-  dqdd_dv[3] = -x58;
+  dqdd_dq[2] = -x55;
+  const T x56 = x32 * x55 - T(2.999100269919024) * x45;
+  dqdd_dq[3] = x56;
+  const T x57 = x47 - x48 + x32 * x48;
+  const T x58 = x34 * x57;
+  dqdd_dv[0] = x58;
+  const T x59 = -T(19.99400179946016) * x48 - x32 * x58;
+  dqdd_dv[1] = x59;
+  const T x60 = x34 * x47;
+  dqdd_dv[2] = x60;
+  const T x61 = x32 * x60;
+  dqdd_dv[3] = -x61;
   // lower_rod, inverse
-  const T x59 = x31 * x34;
-  Minv[1] = -x59;
-  const T x60 = T(19.99400179946016) + x31 * x59;
-  Minv[2] = x60;
+  const T x62 = x32 * x34;
+  Minv[1] = -x62;
+  const T x63 = T(19.99400179946016) + x32 * x62;
+  Minv[2] = x63;
 }
 
 }  // namespace aba_derivatives_parts
@@ -98,7 +102,7 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau
 /// out dqdd_dv: 4 structural non-zeros of 2 x 2 by columns; 1/s, m/s, 1/(m s); derivative of qdd with respect to v
 /// out Minv: 3 structural non-zeros of 2 x 2 by columns, upper triangle; 1/(kg m^2), 1/(kg m), 1/kg; inverse of M
 /// Returns 0, or 1 + the index of the first pivot that is not positive; then all is nan.
-/// 27 mul, 5 add, 23 fma, 1 div, 0 sqrt, 2 sincos.
+/// 27 mul, 5 add, 24 fma, 1 div, 0 sqrt, 2 sincos.
 template <class T>
 arboc::status_t<T> aba_derivatives(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT tau, T* ARBOC_RESTRICT dqdd_dq, T* ARBOC_RESTRICT dqdd_dv, T* ARBOC_RESTRICT Minv) noexcept {
   T w[8];

@@ -23,19 +23,19 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT c, T* ARBOC_RESTRICT vc, T* ARBOC_RESTRICT w) noexcept {
   // lower_rod, first moment
-  const T x10 = T(0.08333333333333333) * v[1];
-  const T x11 = T(0.08333333333333333) * w[1];
-  const T x13 = T(0.6666666666666666) + T(0.08333333333333333) * w[5];
+  const T x9 = T(0.08333333333333333) * w[1];
+  const T x12 = T(0.6666666666666666) + T(0.08333333333333333) * w[5];
+  const T x13 = T(0.08333333333333333) * v[1];
   // upper_rod, first moment
-  const T x14 = w[1] * x10 + v[0] * x11;
-  const T x15 = w[5] * x10 + v[0] * x13;
-  const T x16 = -w[4] * x11 - w[0] * x13;
-  c[0] = x16;
-  const T x17 = w[0] * x11 - w[4] * x13;
-  c[2] = x17;
-  const T x18 = w[0] * x14 - w[4] * x15;
+  const T x14 = w[0] * x9 - w[4] * x12;
+  c[2] = x14;
+  const T x15 = -w[4] * x9 - w[0] * x12;
+  c[0] = x15;
+  const T x16 = w[1] * x13 + v[0] * x9;
+  const T x17 = w[5] * x13 + v[0] * x12;
+  const T x18 = w[0] * x16 - w[4] * x17;
   vc[0] = x18;
-  const T x19 = w[4] * x14 + w[0] * x15;
+  const T x19 = w[4] * x16 + w[0] * x17;
   vc[2] = x19;
 }
 

@@ -24,17 +24,17 @@ template <class T>
 ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT Jc, T* ARBOC_RESTRICT w) noexcept {
   // lower_rod, column
   const T x7 = T(0.08333333333333333) * w[5];
-  const T x8 = T(0.08333333333333333) * w[1];
-  const T x9 = w[0] * x8 - w[4] * x7;
-  Jc[2] = x9;
-  const T x10 = w[0] * x7 + w[4] * x8;
-  Jc[3] = x10;
-  const T x12 = T(0.6666666666666666) + x7;
+  const T x9 = T(0.6666666666666666) + x7;
+  const T x10 = T(0.08333333333333333) * w[1];
+  const T x11 = w[0] * x10 - w[4] * x7;
+  Jc[2] = x11;
+  const T x12 = w[0] * x7 + w[4] * x10;
+  Jc[3] = x12;
   // upper_rod, column
-  const T x13 = w[4] * x8 + w[0] * x12;
-  Jc[1] = x13;
-  const T x14 = w[0] * x8 - w[4] * x12;
-  Jc[0] = x14;
+  const T x13 = w[0] * x10 - w[4] * x9;
+  Jc[0] = x13;
+  const T x14 = w[4] * x10 + w[0] * x9;
+  Jc[1] = x14;
 }
 
 }  // namespace com_jacobian_parts

@@ -24,7 +24,7 @@ ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT M, T* ARBOC_RESTRICT w) noexcept {
   const T x5 = T(0.050015000000000004) + T(0.15) * w[1];
   M[1] = x5;
   // upper_rod, column
-  const T x8 = T(1.0500450000000001) + T(0.3) * w[1];
+  const T x8 = T(1.050045) + T(0.3) * w[1];
   M[0] = x8;
 }
 

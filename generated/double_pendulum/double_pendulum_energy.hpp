@@ -25,13 +25,13 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT T_, T* AR
   // upper_rod, motion
   const T x9 = T(0.200015) * v[0];
   // lower_rod, motion
-  const T x10 = v[0] * w[1];
-  const T x11 = v[0] * w[5];
-  const T x12 = v[0] + v[1];
-  const T x14 = T(0.025007500000000002) * x12;
-  const T x17 = T(0.3) * x10;
-  const T x18 = T(0.15) * x12 + T(0.3) * x11;
-  const T x19 = v[0] * x9 + x12 * x14 + x10 * x17 + x11 * x18;
+  const T x10 = v[0] + v[1];
+  const T x12 = T(0.025007500000000002) * x10;
+  const T x13 = v[0] * w[1];
+  const T x15 = T(0.3) * x13;
+  const T x16 = v[0] * w[5];
+  const T x18 = T(0.15) * x10 + T(0.3) * x16;
+  const T x19 = v[0] * x9 + x10 * x12 + x13 * x15 + x16 * x18;
   T_[0] = x19;
   // lower_rod, first moment
   const T x20 = T(0.15) * w[1];

@@ -23,12 +23,12 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT placements, T* ARBOC_RESTRICT w) noexcept {
   // lower_rod, placement
-  const T x8 = w[4] * w[1] + w[0] * w[5];
+  const T x7 = w[4] * w[5] - w[0] * w[1];
+  placements[12] = x7;
+  placements[20] = x7;
+  const T x8 = w[0] * w[5] + w[4] * w[1];
   placements[14] = x8;
   placements[18] = -x8;
-  const T x9 = w[4] * w[5] - w[0] * w[1];
-  placements[12] = x9;
-  placements[20] = x9;
 }
 
 }  // namespace fk_parts

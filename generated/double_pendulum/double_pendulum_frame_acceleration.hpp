@@ -21,14 +21,14 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT acceleration, T* ARBOC_RESTRICT w) noexcept {
   // lower_rod, motion
-  const T x9 = v[0] * w[0];
+  const T x9 = a[0] + a[1];
+  acceleration[10] = x9;
   const T x10 = v[0] * w[1];
   const T x11 = -a[0] * w[0] - v[1] * x10;
   acceleration[8] = x11;
-  const T x12 = v[1] * x9 - a[0] * w[1];
-  acceleration[6] = x12;
-  const T x13 = a[0] + a[1];
-  acceleration[10] = x13;
+  const T x12 = v[0] * w[0];
+  const T x13 = v[1] * x12 - a[0] * w[1];
+  acceleration[6] = x13;
 }
 
 }  // namespace frame_acceleration_parts

@@ -21,19 +21,19 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT dacceleration_dq, T* ARBOC_RESTRICT dacceleration_dv, T* ARBOC_RESTRICT w) noexcept {
   // lower_rod, motion
-  const T x9 = v[0] * w[0];
-  dacceleration_dv[2] = x9;
-  const T x10 = v[0] * w[1];
-  dacceleration_dv[3] = -x10;
-  const T x11 = a[0] * w[0] + v[1] * x10;
-  dacceleration_dq[0] = x11;
-  const T x12 = v[1] * x9 - a[0] * w[1];
-  dacceleration_dq[1] = x12;
+  const T x8 = v[0] * w[0];
+  dacceleration_dv[2] = x8;
+  const T x9 = v[0] * w[1];
+  dacceleration_dv[3] = -x9;
+  const T x10 = a[0] * w[0] + v[1] * x9;
+  dacceleration_dq[0] = x10;
+  const T x11 = v[1] * x8 - a[0] * w[1];
+  dacceleration_dq[1] = x11;
   // derivative by v0
-  const T x13 = v[1] * w[1];
-  dacceleration_dv[1] = -x13;
-  const T x14 = v[1] * w[0];
-  dacceleration_dv[0] = x14;
+  const T x13 = v[1] * w[0];
+  dacceleration_dv[0] = x13;
+  const T x14 = v[1] * w[1];
+  dacceleration_dv[1] = -x14;
 }
 
 }  // namespace frame_acceleration_derivatives_parts

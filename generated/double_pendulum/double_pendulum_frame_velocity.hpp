@@ -21,12 +21,12 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT velocity, T* ARBOC_RESTRICT w) noexcept {
   // lower_rod, motion
-  const T x7 = v[0] * w[0];
-  velocity[8] = -x7;
-  const T x8 = v[0] * w[1];
-  velocity[6] = -x8;
-  const T x9 = v[0] + v[1];
-  velocity[10] = x9;
+  const T x7 = v[0] + v[1];
+  velocity[10] = x7;
+  const T x8 = v[0] * w[0];
+  velocity[8] = -x8;
+  const T x9 = v[0] * w[1];
+  velocity[6] = -x9;
 }
 
 }  // namespace frame_velocity_parts

@@ -21,10 +21,10 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT dvelocity_dq, T* ARBOC_RESTRICT w) noexcept {
   // lower_rod, motion
-  const T x7 = v[0] * w[0];
-  dvelocity_dq[0] = x7;
-  const T x8 = v[0] * w[1];
-  dvelocity_dq[1] = -x8;
+  const T x6 = v[0] * w[0];
+  dvelocity_dq[0] = x6;
+  const T x7 = v[0] * w[1];
+  dvelocity_dq[1] = -x7;
 }
 
 }  // namespace frame_velocity_derivatives_parts

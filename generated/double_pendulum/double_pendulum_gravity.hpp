@@ -23,17 +23,17 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT g, T* ARBOC_RESTRICT w) noexcept {
   // upper_rod, motion
-  const T x7 = T(9.81) * w[4];
-  const T x8 = T(9.81) * w[0];
+  const T x7 = T(9.81) * w[0];
+  const T x8 = T(9.81) * w[4];
   // lower_rod, motion
-  const T x9 = w[1] * x7 + w[5] * x8;
+  const T x9 = w[1] * x8 + w[5] * x7;
   // lower_rod, force
-  const T x11 = T(0.15) * x9;
-  g[1] = x11;
-  const T x12 = T(0.15) * w[1];
+  const T x11 = T(0.15) * w[1];
+  const T x12 = T(0.15) * x9;
+  g[1] = x12;
   const T x14 = T(1.2) + T(0.15) * w[5];
   // upper_rod, force
-  const T x15 = x7 * x12 + x8 * x14;
+  const T x15 = x8 * x11 + x7 * x14;
   g[0] = x15;
 }
 

@@ -21,10 +21,10 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT Minv, T* ARBOC_RESTRICT pivot, T* ARBOC_RESTRICT w) noexcept {
   // lower_rod, column
-  const T x6 = T(0.050015000000000004) + T(0.15) * w[1];
+  const T x5 = T(0.050015000000000004) + T(0.15) * w[1];
   // lower_rod, factor
-  const T x9 = T(19.99400179946016) * x6;
-  const T x11 = T(1.0500450000000001) + T(0.3) * w[1] - x6 * x9;
+  const T x9 = T(19.99400179946016) * x5;
+  const T x11 = T(1.050045) + T(0.3) * w[1] - x5 * x9;
   pivot[0] = x11;
   // upper_rod, factor
   const T x12 = T(1.0) / x11;

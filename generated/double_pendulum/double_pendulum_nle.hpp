@@ -25,12 +25,12 @@ ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT nle, T* A
   // upper_rod, motion
   const T x9 = T(9.81) * w[0];
   // lower_rod, motion
-  const T x11 = v[0] * v[0] + T(9.81) * w[4];
-  const T x12 = w[5] * x9 + w[1] * x11;
-  const T x13 = v[0] + v[1];
-  const T x14 = x13 * x13;
-  const T x16 = T(0.15) * x14;
-  const T x17 = T(0.15) * x12;
+  const T x11 = v[0] + v[1];
+  const T x12 = x11 * x11;
+  const T x13 = v[0] * v[0] + T(9.81) * w[4];
+  const T x14 = w[5] * x9 + w[1] * x13;
+  const T x16 = T(0.15) * x12;
+  const T x17 = T(0.15) * x14;
   nle[1] = x17;
   // lower_rod, force
   const T x18 = x17 + T(11.772) * w[0] - w[1] * x16;

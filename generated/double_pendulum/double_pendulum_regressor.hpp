@@ -23,27 +23,27 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT Y, T* ARBOC_RESTRICT w) noexcept {
   // upper_rod, regressor
-  const T x11 = T(9.81) * w[4];
-  Y[0] = -x11;
-  const T x12 = T(9.81) * w[0];
-  Y[1] = -x12;
+  const T x11 = T(9.81) * w[0];
+  Y[1] = -x11;
+  const T x12 = T(9.81) * w[4];
+  Y[0] = -x12;
   // lower_rod, regressor
-  const T x13 = x11 + v[0] * v[0];
-  const T x14 = a[0] + x12;
-  const T x15 = w[1] * x14 - w[5] * x13;
+  const T x13 = a[0] + x11;
+  const T x14 = x12 + v[0] * v[0];
+  const T x15 = w[1] * x13 - w[5] * x14;
   Y[5] = x15;
-  const T x16 = -w[1] * x13 - w[5] * x14;
-  Y[7] = x16;
+  const T x16 = a[0] + a[1];
+  Y[8] = x16;
+  Y[9] = x16;
   const T x17 = v[0] + v[1];
-  const T x18 = a[0] + a[1];
-  Y[8] = x18;
-  Y[9] = x18;
-  const T x19 = x17 * x17;
-  const T x20 = x15 + w[1] * x18 + w[5] * x19;
-  Y[4] = x20;
-  const T x21 = x16 - w[5] * x18 + w[1] * x19;
+  const T x18 = x17 * x17;
+  const T x19 = x15 + w[1] * x16 + w[5] * x18;
+  Y[4] = x19;
+  const T x20 = -w[1] * x14 - w[5] * x13;
+  Y[7] = x20;
+  const T x21 = x20 - w[5] * x16 + w[1] * x18;
   Y[6] = x21;
-  const T x22 = w[1] * x15 - w[5] * x16;
+  const T x22 = w[1] * x15 - w[5] * x20;
   Y[3] = x22;
 }
 

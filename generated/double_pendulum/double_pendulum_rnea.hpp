@@ -23,18 +23,18 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT tau, T* ARBOC_RESTRICT w) noexcept {
   // lower_rod, motion
-  const T x13 = v[0] * v[0] + T(9.81) * w[4];
-  const T x14 = a[0] + T(9.81) * w[0];
-  const T x15 = w[1] * x13 + w[5] * x14;
-  const T x16 = v[0] + v[1];
-  const T x17 = a[0] + a[1];
-  const T x18 = x16 * x16;
-  const T x21 = T(0.15) * x18;
-  const T x22 = T(0.15) * x17;
-  const T x23 = T(0.050015000000000004) * x17 + T(0.15) * x15;
+  const T x13 = a[0] + a[1];
+  const T x14 = v[0] + v[1];
+  const T x15 = x14 * x14;
+  const T x16 = v[0] * v[0] + T(9.81) * w[4];
+  const T x17 = a[0] + T(9.81) * w[0];
+  const T x18 = w[1] * x16 + w[5] * x17;
+  const T x20 = T(0.15) * x13;
+  const T x21 = T(0.15) * x15;
+  const T x23 = T(0.050015000000000004) * x13 + T(0.15) * x18;
   tau[1] = x23;
   // lower_rod, force
-  const T x24 = x23 + T(1.00003) * a[0] + T(11.772) * w[0] + w[5] * x22 - w[1] * x21;
+  const T x24 = x23 + T(1.00003) * a[0] + T(11.772) * w[0] + w[5] * x20 - w[1] * x21;
   tau[0] = x24;
 }
 

@@ -23,43 +23,43 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, T* ARBOC_RESTRICT dtau_dq, T* ARBOC_RESTRICT dtau_dv, T* ARBOC_RESTRICT M, T* ARBOC_RESTRICT w) noexcept {
   // upper_rod, motion
-  const T x11 = T(9.81) * w[4];
-  const T x12 = T(9.81) * w[0];
-  const T x15 = T(2.0) * v[0];
+  const T x11 = T(2.0) * v[0];
+  const T x13 = T(9.81) * w[0];
+  const T x14 = T(9.81) * w[4];
   // lower_rod, motion
-  const T x16 = x11 + v[0] * v[0];
-  const T x17 = a[0] + x12;
-  const T x18 = w[1] * x17 - w[5] * x16;
-  const T x19 = v[0] + v[1];
-  const T x20 = a[0] + a[1];
-  const T x21 = x19 * x19;
-  const T x24 = T(0.15) * x21;
-  const T x25 = T(0.15) * x20;
-  const T x27 = T(0.3) * x19;
+  const T x15 = a[0] + a[1];
+  const T x17 = T(0.15) * x15;
+  const T x18 = v[0] + v[1];
+  const T x20 = T(0.3) * x18;
+  const T x21 = a[0] + x13;
+  const T x22 = x14 + v[0] * v[0];
+  const T x23 = w[1] * x21 - w[5] * x22;
+  const T x24 = x18 * x18;
+  const T x25 = T(0.15) * x24;
   // lower_rod, column
-  const T x28 = T(0.15) * x18;
-  dtau_dq[3] = -x28;
-  const T x29 = -x28 - w[1] * x25 - w[5] * x24;
-  dtau_dq[2] = x29;
-  const T x30 = w[1] * x27;
-  dtau_dv[2] = -x30;
+  const T x26 = T(0.15) * x23;
+  dtau_dq[3] = -x26;
+  const T x27 = w[1] * x20;
+  dtau_dv[2] = -x27;
+  const T x28 = T(0.15) * w[5];
+  const T x30 = T(0.050015000000000004) + x28;
+  M[1] = x30;
   const T x31 = T(0.15) * w[1];
-  const T x32 = T(0.15) * w[5];
-  const T x33 = T(0.050015000000000004) + x32;
-  M[1] = x33;
-  const T x34 = x15 * x31;
-  dtau_dv[1] = x34;
-  const T x35 = x11 * x32 - x12 * x31;
-  dtau_dq[1] = x35;
+  const T x32 = x11 * x31;
+  dtau_dv[1] = x32;
+  const T x33 = -x26 - w[1] * x17 - w[5] * x25;
+  dtau_dq[2] = x33;
+  const T x34 = x14 * x28 - x13 * x31;
+  dtau_dq[1] = x34;
   // lower_rod, composite
-  const T x36 = T(1.2) + x32;
+  const T x36 = T(1.2) + x28;
   // upper_rod, column
-  const T x37 = x34 - x30;
-  dtau_dv[0] = x37;
-  const T x38 = x11 * x36 - x12 * x31;
-  dtau_dq[0] = x38;
-  const T x40 = T(1.0500450000000001) + T(0.3) * w[5];
-  M[0] = x40;
+  const T x38 = T(1.050045) + T(0.3) * w[5];
+  M[0] = x38;
+  const T x39 = x32 - x27;
+  dtau_dv[0] = x39;
+  const T x40 = x14 * x36 - x13 * x31;
+  dtau_dq[0] = x40;
 }
 
 }  // namespace rnea_derivatives_parts

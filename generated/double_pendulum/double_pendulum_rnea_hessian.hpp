@@ -23,52 +23,53 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT v, const T* ARBOC_RESTRICT a, const T* ARBOC_RESTRICT lambda, T* ARBOC_RESTRICT H_qq, T* ARBOC_RESTRICT H_qv, T* ARBOC_RESTRICT H_vv, T* ARBOC_RESTRICT H_qa, T* ARBOC_RESTRICT w) noexcept {
   // upper_rod, motion
-  const T x13 = T(9.81) * w[4];
-  const T x14 = T(9.81) * w[0];
+  const T x13 = T(9.81) * w[0];
+  const T x14 = T(9.81) * w[4];
   // lower_rod, motion
-  const T x16 = x13 + v[0] * v[0];
-  const T x17 = a[0] + x14;
-  const T x18 = v[0] + v[1];
-  const T x19 = a[0] + a[1];
-  const T x20 = x18 * x18;
-  const T x22 = T(0.15) * x20;
-  const T x23 = T(0.15) * x19;
-  // upper_rod, force
+  const T x16 = v[0] + v[1];
+  const T x17 = a[0] + a[1];
+  const T x18 = a[0] + x13;
+  const T x19 = x14 + v[0] * v[0];
+  const T x20 = x16 * x16;
+  const T x22 = T(0.15) * x17;
+  const T x23 = T(0.15) * x20;
+  // lower_rod, force
   const T x25 = T(2.0) * v[0];
   // lower_rod, force, adjoint
-  const T x26 = lambda[0] + lambda[1];
+  const T x26 = lambda[0] * w[5];
   const T x27 = lambda[0] * w[1];
-  const T x28 = lambda[0] * w[5];
+  const T x28 = lambda[0] + lambda[1];
   // lower_rod, motion, adjoint
-  const T x29 = T(0.15) * x26;
+  const T x29 = T(0.15) * x28;
   const T x30 = T(0.15) * x27;
   H_qa[1] = -x30;
-  const T x31 = lambda[0] * x23 + x17 * x29;
-  const T x32 = w[5] * x29;
-  const T x33 = lambda[0] * x22 - x16 * x29;
-  const T x34 = w[1] * x29;
+  const T x31 = w[5] * x29;
+  const T x32 = w[1] * x29;
   // upper_rod, motion, adjoint
-  const T x35 = T(11.772) * lambda[0];
+  const T x33 = T(11.772) * lambda[0];
+  const T x34 = lambda[0] * x22 + x18 * x29;
+  // lower_rod, pose, adjoint
+  const T x35 = lambda[0] * x23 - x19 * x29;
   // derivative by q1
-  const T x37 = T(0.3) * x18;
-  const T x38 = x28 * x37;
+  const T x37 = T(0.3) * x16;
+  const T x38 = x26 * x37;
   H_qv[1] = -x38;
-  const T x39 = -x30 - x34;
-  H_qa[0] = x39;
-  const T x40 = x25 * x32 - x38;
-  H_qv[0] = x40;
-  const T x41 = -x13 * x34 - x14 * x32;
-  H_qq[1] = x41;
-  const T x42 = w[1] * x33 - w[5] * x31;
+  const T x39 = -x13 * x31 - x14 * x32;
+  H_qq[1] = x39;
+  const T x40 = -x30 - x32;
+  H_qa[0] = x40;
+  const T x41 = x25 * x31 - x38;
+  H_qv[0] = x41;
+  const T x42 = w[1] * x35 - w[5] * x34;
   H_qq[2] = x42;
   // derivative by v0
   const T x43 = T(0.3) * x27;
   H_vv[1] = -x43;
   H_vv[2] = -x43;
-  const T x44 = T(2.0) * x34 - x43;
+  const T x44 = T(2.0) * x32 - x43;
   H_vv[0] = x44;
   // derivative by q0
-  const T x45 = x41 - w[0] * x35;
+  const T x45 = x39 - w[0] * x33;
   H_qq[0] = x45;
 }
 

@@ -23,7 +23,16 @@ ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexc
 template <class T>
 ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT T_, T* ARBOC_RESTRICT T_inverse, T* ARBOC_RESTRICT dT, T* ARBOC_RESTRICT w) noexcept {
   // lower_rod, placement
-  const T x7 = -w[4] * w[1] - w[0] * w[5];
+  const T x6 = w[4] * w[5] - w[0] * w[1];
+  T_[2] = x6;
+  T_[9] = x6;
+  T_inverse[2] = x6;
+  T_inverse[9] = x6;
+  dT[3] = -x6;
+  dT[6] = x6;
+  dT[11] = -x6;
+  dT[12] = x6;
+  const T x7 = -w[0] * w[5] - w[4] * w[1];
   T_[3] = x7;
   T_[8] = -x7;
   T_inverse[3] = -x7;
@@ -32,20 +41,11 @@ ARBOC_NOINLINE void part0(T* ARBOC_RESTRICT T_, T* ARBOC_RESTRICT T_inverse, T* 
   dT[7] = x7;
   dT[10] = x7;
   dT[13] = x7;
-  const T x8 = w[4] * w[5] - w[0] * w[1];
-  T_[2] = x8;
-  T_[9] = x8;
-  T_inverse[2] = x8;
-  T_inverse[9] = x8;
-  dT[3] = -x8;
-  dT[6] = x8;
-  dT[11] = -x8;
-  dT[12] = x8;
   // lower_rod, transform
-  const T x9 = w[4] * x7 + w[0] * x8;
-  T_inverse[11] = x9;
-  const T x10 = w[4] * x8 - w[0] * x7;
-  T_inverse[12] = x10;
+  const T x8 = w[0] * x6 + w[4] * x7;
+  T_inverse[11] = x8;
+  const T x9 = w[4] * x6 - w[0] * x7;
+  T_inverse[12] = x9;
 }
 
 }  // namespace transforms_parts

@@ -14,28 +14,32 @@ static ARBOC_NOINLINE void angles(const casadi_real* ARBOC_RESTRICT q, casadi_re
 
 static ARBOC_NOINLINE void part0(const casadi_real* ARBOC_RESTRICT v, const casadi_real* ARBOC_RESTRICT tau, casadi_real* ARBOC_RESTRICT qdd, casadi_real* ARBOC_RESTRICT pivot, casadi_real* ARBOC_RESTRICT w) {
   // upper_rod, motion
-  const casadi_real x12 = K(9.81) * w[0];
+  const casadi_real x11 = K(9.81) * w[0];
   // lower_rod, motion
-  const casadi_real x14 = v[0] * v[0] + K(9.81) * w[4];
-  const casadi_real x15 = w[5] * x12 + w[1] * x14;
-  const casadi_real x16 = v[0] + v[1];
-  const casadi_real x17 = x16 * x16;
-  const casadi_real x19 = K(0.15) * x17;
+  const casadi_real x13 = v[0] + v[1];
+  const casadi_real x14 = x13 * x13;
+  const casadi_real x15 = v[0] * v[0] + K(9.81) * w[4];
+  const casadi_real x16 = w[5] * x11 + w[1] * x15;
+  const casadi_real x18 = K(0.15) * x14;
   // upper_rod, force
-  const casadi_real x20 = tau[1] - K(0.15) * x15;
+  const casadi_real x19 = tau[1] - K(0.15) * x16;
   // lower_rod, column
-  const casadi_real x22 = K(0.050015000000000004) + K(0.15) * w[5];
+  const casadi_real x21 = K(0.050015000000000004) + K(0.15) * w[5];
+  // upper_rod, column
+  const casadi_real x25 = K(1.050045) + K(0.3) * w[5];
   // lower_rod, factor
-  const casadi_real x25 = K(19.99400179946016) * x22;
-  const casadi_real x27 = K(1.0500450000000001) + K(0.3) * w[5] - x22 * x25;
-  pivot[0] = x27;
+  const casadi_real x27 = K(19.99400179946016) * x21;
+  const casadi_real x28 = x25 - x21 * x27;
   // upper_rod, factor
-  const casadi_real x28 = K(1.0) / x27;
-  const casadi_real x29 = tau[0] - K(11.772) * w[0] + w[1] * x19 - K(0.15) * x15 - x20 * x25;
-  const casadi_real x30 = x28 * x29;
-  qdd[0] = x30;
-  const casadi_real x31 = K(19.99400179946016) * x20 - x25 * x30;
-  qdd[1] = x31;
+  const casadi_real x29 = K(1.0) / x28;
+  const casadi_real x31 = x28 - K(1.4210854715202004e-14) * x25;
+  pivot[0] = x31;
+  // upper_rod, solve
+  const casadi_real x32 = tau[0] - K(11.772) * w[0] + w[1] * x18 - K(0.15) * x16 - x19 * x27;
+  const casadi_real x33 = x29 * x32;
+  qdd[0] = x33;
+  const casadi_real x34 = K(19.99400179946016) * x19 - x27 * x33;
+  qdd[1] = x34;
 }
 
 int double_pendulum_c_aba(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {

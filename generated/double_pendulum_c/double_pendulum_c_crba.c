@@ -17,7 +17,7 @@ static ARBOC_NOINLINE void part0(casadi_real* ARBOC_RESTRICT M, casadi_real* ARB
   M[1] = x5;
   M[2] = x5;
   // upper_rod, column
-  const casadi_real x8 = K(1.0500450000000001) + K(0.3) * w[1];
+  const casadi_real x8 = K(1.050045) + K(0.3) * w[1];
   M[0] = x8;
 }
 

@@ -14,18 +14,18 @@ static ARBOC_NOINLINE void angles(const casadi_real* ARBOC_RESTRICT q, casadi_re
 
 static ARBOC_NOINLINE void part0(const casadi_real* ARBOC_RESTRICT v, const casadi_real* ARBOC_RESTRICT a, casadi_real* ARBOC_RESTRICT tau, casadi_real* ARBOC_RESTRICT w) {
   // lower_rod, motion
-  const casadi_real x13 = v[0] * v[0] + K(9.81) * w[4];
-  const casadi_real x14 = a[0] + K(9.81) * w[0];
-  const casadi_real x15 = w[1] * x13 + w[5] * x14;
-  const casadi_real x16 = v[0] + v[1];
-  const casadi_real x17 = a[0] + a[1];
-  const casadi_real x18 = x16 * x16;
-  const casadi_real x21 = K(0.15) * x18;
-  const casadi_real x22 = K(0.15) * x17;
-  const casadi_real x23 = K(0.050015000000000004) * x17 + K(0.15) * x15;
+  const casadi_real x13 = a[0] + a[1];
+  const casadi_real x14 = v[0] + v[1];
+  const casadi_real x15 = x14 * x14;
+  const casadi_real x16 = v[0] * v[0] + K(9.81) * w[4];
+  const casadi_real x17 = a[0] + K(9.81) * w[0];
+  const casadi_real x18 = w[1] * x16 + w[5] * x17;
+  const casadi_real x20 = K(0.15) * x13;
+  const casadi_real x21 = K(0.15) * x15;
+  const casadi_real x23 = K(0.050015000000000004) * x13 + K(0.15) * x18;
   tau[1] = x23;
   // lower_rod, force
-  const casadi_real x24 = x23 + K(1.00003) * a[0] + K(11.772) * w[0] + w[5] * x22 - w[1] * x21;
+  const casadi_real x24 = x23 + K(1.00003) * a[0] + K(11.772) * w[0] + w[5] * x20 - w[1] * x21;
   tau[0] = x24;
 }
 

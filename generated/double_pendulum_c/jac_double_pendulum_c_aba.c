@@ -14,70 +14,74 @@ static ARBOC_NOINLINE void angles(const casadi_real* ARBOC_RESTRICT q, casadi_re
 
 static ARBOC_NOINLINE void part0(const casadi_real* ARBOC_RESTRICT v, const casadi_real* ARBOC_RESTRICT tau, casadi_real* ARBOC_RESTRICT dqdd_dq, casadi_real* ARBOC_RESTRICT dqdd_dv, casadi_real* ARBOC_RESTRICT Minv, casadi_real* ARBOC_RESTRICT pivot, casadi_real* ARBOC_RESTRICT w) {
   // upper_rod, motion
+  const casadi_real x11 = K(9.81) * w[0];
   const casadi_real x12 = K(9.81) * w[4];
-  const casadi_real x13 = K(9.81) * w[0];
   // lower_rod, motion
-  const casadi_real x16 = x12 + v[0] * v[0];
-  const casadi_real x17 = w[5] * x13 + w[1] * x16;
-  const casadi_real x18 = v[0] + v[1];
-  const casadi_real x19 = x18 * x18;
-  const casadi_real x21 = K(0.15) * x19;
+  const casadi_real x14 = x12 + v[0] * v[0];
+  const casadi_real x15 = v[0] + v[1];
+  const casadi_real x16 = x15 * x15;
+  const casadi_real x17 = w[5] * x11 + w[1] * x14;
+  const casadi_real x19 = K(0.15) * x16;
   // upper_rod, force
-  const casadi_real x22 = tau[1] - K(0.15) * x17;
+  const casadi_real x20 = tau[1] - K(0.15) * x17;
   // lower_rod, column
-  const casadi_real x23 = K(0.15) * w[1];
-  const casadi_real x24 = K(0.15) * w[5];
-  const casadi_real x26 = K(0.050015000000000004) + x24;
+  const casadi_real x21 = K(0.15) * w[1];
+  const casadi_real x22 = K(0.15) * w[5];
+  const casadi_real x24 = K(0.050015000000000004) + x22;
   // lower_rod, composite
-  const casadi_real x29 = K(1.2) + x24;
+  const casadi_real x26 = K(1.2) + x22;
+  // upper_rod, column
+  const casadi_real x30 = K(1.050045) + K(0.3) * w[5];
   // lower_rod, factor
-  const casadi_real x31 = K(19.99400179946016) * x26;
-  const casadi_real x33 = K(1.0500450000000001) + K(0.3) * w[5] - x26 * x31;
-  pivot[0] = x33;
+  const casadi_real x32 = K(19.99400179946016) * x24;
+  const casadi_real x33 = x30 - x24 * x32;
   // upper_rod, factor
   const casadi_real x34 = K(1.0) / x33;
   Minv[0] = x34;
-  const casadi_real x35 = tau[0] - K(11.772) * w[0] + w[1] * x21 - K(0.15) * x17 - x22 * x31;
-  const casadi_real x36 = x34 * x35;
-  // upper_rod, motion
-  const casadi_real x37 = K(2.0) * v[0];
-  // lower_rod, motion
-  const casadi_real x38 = x13 + x36;
-  const casadi_real x39 = w[5] * x16 - w[1] * x38;
-  const casadi_real x40 = x36 + K(19.99400179946016) * x22 - x31 * x36;
-  const casadi_real x41 = K(0.15) * x40;
-  const casadi_real x42 = K(0.3) * x18;
-  // lower_rod, column
-  const casadi_real x43 = K(0.15) * x39;
-  const casadi_real x44 = w[1] * x42;
-  const casadi_real x45 = x23 * x37;
-  const casadi_real x46 = x12 * x24 - x13 * x23;
+  const casadi_real x36 = x33 - K(1.4210854715202004e-14) * x30;
+  pivot[0] = x36;
   // upper_rod, solve
-  const casadi_real x47 = x13 * x23 - x12 * x29 + x31 * x46;
-  const casadi_real x48 = x34 * x47;
-  dqdd_dq[0] = x48;
-  const casadi_real x49 = -K(19.99400179946016) * x46 - x31 * x48;
-  dqdd_dq[1] = x49;
-  const casadi_real x50 = x43 - w[5] * x21 - w[1] * x41 - x31 * x43;
-  const casadi_real x52 = x34 * x50;
-  dqdd_dq[2] = -x52;
-  const casadi_real x53 = x31 * x52 - K(2.999100269919024) * x39;
-  dqdd_dq[3] = x53;
-  const casadi_real x54 = x44 - x45 + x31 * x45;
+  const casadi_real x37 = tau[0] - K(11.772) * w[0] + w[1] * x19 - K(0.15) * x17 - x20 * x32;
+  const casadi_real x38 = x34 * x37;
+  // upper_rod, motion
+  const casadi_real x40 = K(2.0) * v[0];
+  // lower_rod, motion
+  const casadi_real x41 = K(0.3) * x15;
+  const casadi_real x42 = x38 + K(19.99400179946016) * x20 - x32 * x38;
+  const casadi_real x43 = K(0.15) * x42;
+  const casadi_real x44 = x11 + x38;
+  const casadi_real x45 = w[5] * x14 - w[1] * x44;
+  // lower_rod, column
+  const casadi_real x46 = K(0.15) * x45;
+  const casadi_real x47 = w[1] * x41;
+  const casadi_real x48 = x21 * x40;
+  const casadi_real x49 = x11 * x21 - x12 * x22;
+  // upper_rod, solve
+  const casadi_real x50 = x11 * x21 - x12 * x26 - x32 * x49;
+  const casadi_real x51 = x34 * x50;
+  dqdd_dq[0] = x51;
+  const casadi_real x52 = K(19.99400179946016) * x49 - x32 * x51;
+  dqdd_dq[1] = x52;
+  const casadi_real x54 = x46 - w[5] * x19 - w[1] * x43 - x32 * x46;
   const casadi_real x55 = x34 * x54;
-  dqdd_dv[0] = x55;
-  const casadi_real x56 = -K(19.99400179946016) * x45 - x31 * x55;
-  dqdd_dv[1] = x56;
-  const casadi_real x57 = x34 * x44;
-  dqdd_dv[2] = x57;
-  const casadi_real x58 = x31 * x57;
-  dqdd_dv[3] = -x58;
+  dqdd_dq[2] = -x55;
+  const casadi_real x56 = x32 * x55 - K(2.999100269919024) * x45;
+  dqdd_dq[3] = x56;
+  const casadi_real x57 = x47 - x48 + x32 * x48;
+  const casadi_real x58 = x34 * x57;
+  dqdd_dv[0] = x58;
+  const casadi_real x59 = -K(19.99400179946016) * x48 - x32 * x58;
+  dqdd_dv[1] = x59;
+  const casadi_real x60 = x34 * x47;
+  dqdd_dv[2] = x60;
+  const casadi_real x61 = x32 * x60;
+  dqdd_dv[3] = -x61;
   // lower_rod, inverse
-  const casadi_real x59 = x31 * x34;
-  Minv[1] = -x59;
-  Minv[2] = -x59;
-  const casadi_real x60 = K(19.99400179946016) + x31 * x59;
-  Minv[3] = x60;
+  const casadi_real x62 = x32 * x34;
+  Minv[1] = -x62;
+  Minv[2] = -x62;
+  const casadi_real x63 = K(19.99400179946016) + x32 * x62;
+  Minv[3] = x63;
 }
 
 int jac_double_pendulum_c_aba(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {

@@ -12,11 +12,10 @@ static ARBOC_NOINLINE void angles(const casadi_real* ARBOC_RESTRICT q, casadi_re
 }
 
 static ARBOC_NOINLINE void part0(casadi_real* ARBOC_RESTRICT jac_M_q, casadi_real* ARBOC_RESTRICT w) {
-  // lower_rod, column
-  const casadi_real x4 = K(0.15) * w[0];
-  jac_M_q[1] = -x4;
-  jac_M_q[2] = -x4;
   // derivative by q1
+  const casadi_real x5 = K(0.15) * w[0];
+  jac_M_q[1] = -x5;
+  jac_M_q[2] = -x5;
   const casadi_real x6 = K(0.3) * w[0];
   jac_M_q[0] = -x6;
 }

@@ -14,44 +14,44 @@ static ARBOC_NOINLINE void angles(const casadi_real* ARBOC_RESTRICT q, casadi_re
 
 static ARBOC_NOINLINE void part0(const casadi_real* ARBOC_RESTRICT v, const casadi_real* ARBOC_RESTRICT a, casadi_real* ARBOC_RESTRICT dtau_dq, casadi_real* ARBOC_RESTRICT dtau_dv, casadi_real* ARBOC_RESTRICT M, casadi_real* ARBOC_RESTRICT w) {
   // upper_rod, motion
-  const casadi_real x11 = K(9.81) * w[4];
-  const casadi_real x12 = K(9.81) * w[0];
-  const casadi_real x15 = K(2.0) * v[0];
+  const casadi_real x11 = K(2.0) * v[0];
+  const casadi_real x13 = K(9.81) * w[0];
+  const casadi_real x14 = K(9.81) * w[4];
   // lower_rod, motion
-  const casadi_real x16 = x11 + v[0] * v[0];
-  const casadi_real x17 = a[0] + x12;
-  const casadi_real x18 = w[1] * x17 - w[5] * x16;
-  const casadi_real x19 = v[0] + v[1];
-  const casadi_real x20 = a[0] + a[1];
-  const casadi_real x21 = x19 * x19;
-  const casadi_real x24 = K(0.15) * x21;
-  const casadi_real x25 = K(0.15) * x20;
-  const casadi_real x27 = K(0.3) * x19;
+  const casadi_real x15 = a[0] + a[1];
+  const casadi_real x17 = K(0.15) * x15;
+  const casadi_real x18 = v[0] + v[1];
+  const casadi_real x20 = K(0.3) * x18;
+  const casadi_real x21 = a[0] + x13;
+  const casadi_real x22 = x14 + v[0] * v[0];
+  const casadi_real x23 = w[1] * x21 - w[5] * x22;
+  const casadi_real x24 = x18 * x18;
+  const casadi_real x25 = K(0.15) * x24;
   // lower_rod, column
-  const casadi_real x28 = K(0.15) * x18;
-  dtau_dq[3] = -x28;
-  const casadi_real x29 = -x28 - w[1] * x25 - w[5] * x24;
-  dtau_dq[2] = x29;
-  const casadi_real x30 = w[1] * x27;
-  dtau_dv[2] = -x30;
+  const casadi_real x26 = K(0.15) * x23;
+  dtau_dq[3] = -x26;
+  const casadi_real x27 = w[1] * x20;
+  dtau_dv[2] = -x27;
+  const casadi_real x28 = K(0.15) * w[5];
+  const casadi_real x30 = K(0.050015000000000004) + x28;
+  M[1] = x30;
+  M[2] = x30;
   const casadi_real x31 = K(0.15) * w[1];
-  const casadi_real x32 = K(0.15) * w[5];
-  const casadi_real x33 = K(0.050015000000000004) + x32;
-  M[1] = x33;
-  M[2] = x33;
-  const casadi_real x34 = x15 * x31;
-  dtau_dv[1] = x34;
-  const casadi_real x35 = x11 * x32 - x12 * x31;
-  dtau_dq[1] = x35;
+  const casadi_real x32 = x11 * x31;
+  dtau_dv[1] = x32;
+  const casadi_real x33 = -x26 - w[1] * x17 - w[5] * x25;
+  dtau_dq[2] = x33;
+  const casadi_real x34 = x14 * x28 - x13 * x31;
+  dtau_dq[1] = x34;
   // lower_rod, composite
-  const casadi_real x36 = K(1.2) + x32;
+  const casadi_real x36 = K(1.2) + x28;
   // upper_rod, column
-  const casadi_real x37 = x34 - x30;
-  dtau_dv[0] = x37;
-  const casadi_real x38 = x11 * x36 - x12 * x31;
-  dtau_dq[0] = x38;
-  const casadi_real x40 = K(1.0500450000000001) + K(0.3) * w[5];
-  M[0] = x40;
+  const casadi_real x38 = K(1.050045) + K(0.3) * w[5];
+  M[0] = x38;
+  const casadi_real x39 = x32 - x27;
+  dtau_dv[0] = x39;
+  const casadi_real x40 = x14 * x36 - x13 * x31;
+  dtau_dq[0] = x40;
 }
 
 int jac_double_pendulum_c_rnea(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
