@@ -170,5 +170,41 @@ INSTANTIATE_TEST_SUITE_P(Models, EmittedFolder,
                                          Case{"quadruped", Base::kFloating}),
                          [](const auto& c) { return std::string(c.param.name); });
 
+/// Configures the folder alone; what is said, or nothing if all is well.
+std::string configured(const std::string& folder, const std::string& option = "") {
+  const TempDir build;
+  std::vector<std::string> command{ARBOC_CMAKE, "-S", folder, "-B", build.path(), "-G",
+                                   ARBOC_GENERATOR};
+  if (!option.empty()) command.push_back(option);
+  const Outcome outcome = run_program(command);
+  return outcome.status == 0 ? "" : outcome.err;
+}
+
+TEST(EmittedCMake, RefusesFilesThatAreNotThoseOfTheManifest) {
+  const TempDir folder;
+  ASSERT_EQ(run_arboc({"compile", ARBOC_SOURCE_DIR "/models/double_pendulum/double_pendulum.urdf",
+                       "-o", folder.path(), "--functions", "gravity"})
+                .status,
+            0);
+  const std::string product = folder / "double_pendulum";
+  EXPECT_EQ(configured(product), "");
+  const std::string header = product + "/arboc/scalar.hpp", text = read_text(header);
+  write_text(header, text + " ");
+  const std::string said = configured(product);
+  EXPECT_NE(said.find("arboc/scalar.hpp is not the file that manifest.json lists"),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(configured(product, "-DDOUBLE_PENDULUM_VERIFY=OFF"), "");
+  std::remove(header.c_str());
+  EXPECT_NE(configured(product, "-DDOUBLE_PENDULUM_VERIFY=ON"), "");
+  write_text(header, text);
+  EXPECT_EQ(configured(product), "");
+  const std::string manifest = read_text(product + "/manifest.json");
+  write_text(product + "/manifest.json", "{}");
+  EXPECT_NE(configured(product).find("lists no files"), std::string::npos);
+  std::remove((product + "/manifest.json").c_str());
+  EXPECT_NE(configured(product), "");
+}
+
 }  // namespace
 }  // namespace arboc::test
