@@ -42,6 +42,10 @@ class Plain {
     if (function == "fk") return {{"placements", placements(in)}};
     if (function == "rnea") return {{"tau", reference_.rnea(q, in.at("v"), in.at("a"), loads(in))}};
     if (function == "gravity") return {{"g", free_.gravity(q)}};
+    if (function == "statics") {
+      const VectorOf<S> rest = VectorOf<S>::Zero(setup_.nv);
+      return {{"tau", reference_.rnea(q, rest, rest, loads(in))}};
+    }
     if (function == "nle") return {{"nle", reference_.nle(q, in.at("v"), loads(in))}};
     if (function == "crba") return {{"M", by_rows<S>(reference_.crba(q))}};
     if (function == "minv") return {{"Minv", by_rows<S>(reference_.minv(q))}};

@@ -44,6 +44,18 @@ ARBOC_COLD void add_joint_forces(const Tree& tree, const T* q, const T* v, const
   }
 }
 
+/// Adds those that a body at rest feels: springs.
+template <class Tree, class T>
+ARBOC_COLD void add_springs(const Tree& tree, const T* q, T* tau) {
+  if (!tree.joint_forces) return;
+  for (const auto& body : tree.body) {
+    const auto& f = body.forces;
+    if (vanishes(f.stiffness) || freedoms(body.motion) != 1) continue;
+    T& entry = tau[body.v];
+    entry = entry + body.multiplier * (T(f.stiffness) * (coordinate(body, q) - T(f.neutral)));
+  }
+}
+
 /// Adds the rotors to the diagonal of M.
 template <class Tree, class Matrix>
 ARBOC_COLD void add_rotors(const Tree& tree, Matrix& M) {

@@ -82,17 +82,23 @@ std::string in_namespace(const std::string& name, const std::string& text) {
   return fmt::format("namespace {0} {{\n{1}}}  // namespace {0}\n", name, text);
 }
 
+/// The same, with their number and the texts themselves.
+std::string named_indices(const std::vector<std::string>& texts) {
+  return fmt::format("inline constexpr int count = {};\n", texts.size()) +
+         array("const char*", "names", literals(texts)) + indices(texts, {"count", "names"});
+}
+
 std::string frames(const TargetModel& model) {
   std::string out;
   if (!model.frame_names.empty())
     out +=
         "\n/// Frames in the order of fk and of the frame functions: row k of what has one row a "
         "frame.\n" +
-        in_namespace("frame", indices(model.frame_names));
+        in_namespace("frame", named_indices(model.frame_names));
   if (!model.load_names.empty())
     out +=
         "\n/// Loaded links in the order of f_ext: the wrench on link k begins at f_ext[6 * k].\n" +
-        in_namespace("load", indices(model.load_names));
+        in_namespace("load", named_indices(model.load_names));
   return out;
 }
 

@@ -39,6 +39,8 @@ const std::vector<Entry>& table() {
      "Inverse dynamics: tau = M(q) a + C(q, v) v + g(q). [RBDA] Table 5.1."},
     {"gravity", {"q"}, {"g"}, Masses::kAny, nullptr, nullptr,
      "Gravity forces: the joint forces that hold the body at rest."},
+    {"statics", {"q", "f_ext"}, {"tau"}, Masses::kAny, nullptr, nullptr,
+     "Statics: the joint forces that hold the body at rest under loads, tau = g(q) - J^T f_ext."},
     {"nle", {"q", "v", "f_ext"}, {"nle"}, Masses::kAny, nullptr, nullptr,
      "Nonlinear effects: C(q, v) v + g(q)."},
     {"crba", {"q"}, {"M"}, Masses::kAny, nullptr, nullptr,

@@ -22,18 +22,21 @@
 #include "algorithms/regressor.h"
 #include "algorithms/rnea.h"
 #include "algorithms/rnea_derivatives.h"
+#include "algorithms/statics.h"
 #include "algorithms/transforms.h"
 
 /// X(name) for each method of Engine.
-#define ARBOC_ENGINE_METHODS(X)                                                                 \
-  X(fk)                                                                                         \
-  X(rnea)                                                                                       \
-  X(gravity)                                                                                    \
-  X(nle)                                                                                        \
-  X(crba)                                                                                       \
-  X(minv) X(aba) X(rnea_derivatives) X(aba_derivatives) X(frame_velocity) X(frame_acceleration) \
-      X(frame_jacobian) X(frame_jacobian_dot) X(joint_jacobians) X(transforms) X(com)           \
-          X(com_jacobian) X(centroidal) X(energy) X(regressor) X(integrate) X(difference)       \
+#define ARBOC_ENGINE_METHODS(X)                                                           \
+  X(fk)                                                                                   \
+  X(rnea)                                                                                 \
+  X(gravity)                                                                              \
+  X(statics)                                                                              \
+  X(nle)                                                                                  \
+  X(crba)                                                                                 \
+  X(minv)                                                                                 \
+  X(aba) X(rnea_derivatives) X(aba_derivatives) X(frame_velocity) X(frame_acceleration)   \
+      X(frame_jacobian) X(frame_jacobian_dot) X(joint_jacobians) X(transforms) X(com)     \
+          X(com_jacobian) X(centroidal) X(energy) X(regressor) X(integrate) X(difference) \
               X(integrate_derivatives) X(difference_derivatives)
 
 namespace arboc {
@@ -73,6 +76,10 @@ class Engine {
   }
   void gravity(const Inputs& in, Outputs out) {
     arboc::gravity(tree_, use(gravity_), in.q, out[0]);
+  }
+  void statics(const Inputs& in, Outputs out) {
+    const FrameLoads<T> loads = this->loads(in);
+    arboc::statics(tree_, use(statics_), in.q, out[0], some(loads));
   }
   void nle(const Inputs& in, Outputs out) {
     const FrameLoads<T> loads = this->loads(in);
@@ -164,6 +171,7 @@ class Engine {
   std::unique_ptr<FkWorkspace<T>> fk_;
   std::unique_ptr<RneaWorkspace<T>> rnea_;
   std::unique_ptr<GravityWorkspace<T>> gravity_;
+  std::unique_ptr<StaticsWorkspace<T>> statics_;
   std::unique_ptr<CrbaWorkspace<T>> crba_;
   std::unique_ptr<MinvWorkspace<T>> minv_;
   std::unique_ptr<AbaWorkspace<T>> aba_;

@@ -37,6 +37,13 @@ inline Tangent gravity(const Config& q) {
   return g;
 }
 
+/// Statics: the joint forces that hold the body at rest under loads, tau = g(q) - J^T f_ext.
+inline Tangent statics(const Config& q) {
+  Tangent tau;
+  raw::statics<double>(q.data(), tau.data());
+  return tau;
+}
+
 /// Nonlinear effects: C(q, v) v + g(q).
 inline Tangent nle(const Config& q, const Tangent& v) {
   Tangent nle;

@@ -2,7 +2,9 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 //
 // The functions of double_pendulum as types, for arboc::Batch and other code that is written once for all
-// functions.  Include the header of each function that you use as well.
+// functions.  Include the header of each function that you use as well.  Entry e of output k stands
+// at (output_row[k][e], output_col[k][e]), of symmetric ones in the upper triangle; null: dense, by
+// rows.
 #pragma once
 
 #include "double_pendulum_raw.hpp"
@@ -15,7 +17,14 @@ struct fk_fn {
   static constexpr const char* name = "fk";
   static constexpr int inputs = 1, outputs = 1;
   static constexpr int input_size[1] = {2};
+  static constexpr const char* input_name[1] = {"q"};
   static constexpr int output_size[1] = {24};
+  static constexpr const char* output_name[1] = {"placements"};
+  static constexpr int output_rows[1] = {2};
+  static constexpr int output_cols[1] = {12};
+  static constexpr const int* output_row[1] = {nullptr};
+  static constexpr const int* output_col[1] = {nullptr};
+  static constexpr bool output_symmetric[1] = {false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::fk<T>(in[0], out[0]);
@@ -28,7 +37,14 @@ struct rnea_fn {
   static constexpr const char* name = "rnea";
   static constexpr int inputs = 3, outputs = 1;
   static constexpr int input_size[3] = {2, 2, 2};
+  static constexpr const char* input_name[3] = {"q", "v", "a"};
   static constexpr int output_size[1] = {2};
+  static constexpr const char* output_name[1] = {"tau"};
+  static constexpr int output_rows[1] = {2};
+  static constexpr int output_cols[1] = {1};
+  static constexpr const int* output_row[1] = {nullptr};
+  static constexpr const int* output_col[1] = {nullptr};
+  static constexpr bool output_symmetric[1] = {false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::rnea<T>(in[0], in[1], in[2], out[0]);
@@ -41,10 +57,37 @@ struct gravity_fn {
   static constexpr const char* name = "gravity";
   static constexpr int inputs = 1, outputs = 1;
   static constexpr int input_size[1] = {2};
+  static constexpr const char* input_name[1] = {"q"};
   static constexpr int output_size[1] = {2};
+  static constexpr const char* output_name[1] = {"g"};
+  static constexpr int output_rows[1] = {2};
+  static constexpr int output_cols[1] = {1};
+  static constexpr const int* output_row[1] = {nullptr};
+  static constexpr const int* output_col[1] = {nullptr};
+  static constexpr bool output_symmetric[1] = {false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::gravity<T>(in[0], out[0]);
+    return {};
+  }
+};
+
+/// Statics: the joint forces that hold the body at rest under loads, tau = g(q) - J^T f_ext.
+struct statics_fn {
+  static constexpr const char* name = "statics";
+  static constexpr int inputs = 1, outputs = 1;
+  static constexpr int input_size[1] = {2};
+  static constexpr const char* input_name[1] = {"q"};
+  static constexpr int output_size[1] = {2};
+  static constexpr const char* output_name[1] = {"tau"};
+  static constexpr int output_rows[1] = {2};
+  static constexpr int output_cols[1] = {1};
+  static constexpr const int* output_row[1] = {nullptr};
+  static constexpr const int* output_col[1] = {nullptr};
+  static constexpr bool output_symmetric[1] = {false};
+  template <class T>
+  static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
+    raw::statics<T>(in[0], out[0]);
     return {};
   }
 };
@@ -54,7 +97,14 @@ struct nle_fn {
   static constexpr const char* name = "nle";
   static constexpr int inputs = 2, outputs = 1;
   static constexpr int input_size[2] = {2, 2};
+  static constexpr const char* input_name[2] = {"q", "v"};
   static constexpr int output_size[1] = {2};
+  static constexpr const char* output_name[1] = {"nle"};
+  static constexpr int output_rows[1] = {2};
+  static constexpr int output_cols[1] = {1};
+  static constexpr const int* output_row[1] = {nullptr};
+  static constexpr const int* output_col[1] = {nullptr};
+  static constexpr bool output_symmetric[1] = {false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::nle<T>(in[0], in[1], out[0]);
@@ -67,7 +117,14 @@ struct crba_fn {
   static constexpr const char* name = "crba";
   static constexpr int inputs = 1, outputs = 1;
   static constexpr int input_size[1] = {2};
+  static constexpr const char* input_name[1] = {"q"};
   static constexpr int output_size[1] = {3};
+  static constexpr const char* output_name[1] = {"M"};
+  static constexpr int output_rows[1] = {2};
+  static constexpr int output_cols[1] = {2};
+  static constexpr const int* output_row[1] = {sparsity::crba_M_row};
+  static constexpr const int* output_col[1] = {sparsity::crba_M_col};
+  static constexpr bool output_symmetric[1] = {true};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::crba<T>(in[0], out[0]);
@@ -80,7 +137,14 @@ struct minv_fn {
   static constexpr const char* name = "minv";
   static constexpr int inputs = 1, outputs = 1;
   static constexpr int input_size[1] = {2};
+  static constexpr const char* input_name[1] = {"q"};
   static constexpr int output_size[1] = {3};
+  static constexpr const char* output_name[1] = {"Minv"};
+  static constexpr int output_rows[1] = {2};
+  static constexpr int output_cols[1] = {2};
+  static constexpr const int* output_row[1] = {sparsity::minv_Minv_row};
+  static constexpr const int* output_col[1] = {sparsity::minv_Minv_col};
+  static constexpr bool output_symmetric[1] = {true};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     return raw::minv<T>(in[0], out[0]);
@@ -92,7 +156,14 @@ struct aba_fn {
   static constexpr const char* name = "aba";
   static constexpr int inputs = 3, outputs = 1;
   static constexpr int input_size[3] = {2, 2, 2};
+  static constexpr const char* input_name[3] = {"q", "v", "tau"};
   static constexpr int output_size[1] = {2};
+  static constexpr const char* output_name[1] = {"qdd"};
+  static constexpr int output_rows[1] = {2};
+  static constexpr int output_cols[1] = {1};
+  static constexpr const int* output_row[1] = {nullptr};
+  static constexpr const int* output_col[1] = {nullptr};
+  static constexpr bool output_symmetric[1] = {false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     return raw::aba<T>(in[0], in[1], in[2], out[0]);
@@ -104,7 +175,14 @@ struct rnea_derivatives_fn {
   static constexpr const char* name = "rnea_derivatives";
   static constexpr int inputs = 3, outputs = 3;
   static constexpr int input_size[3] = {2, 2, 2};
+  static constexpr const char* input_name[3] = {"q", "v", "a"};
   static constexpr int output_size[3] = {4, 3, 3};
+  static constexpr const char* output_name[3] = {"dtau_dq", "dtau_dv", "M"};
+  static constexpr int output_rows[3] = {2, 2, 2};
+  static constexpr int output_cols[3] = {2, 2, 2};
+  static constexpr const int* output_row[3] = {sparsity::rnea_derivatives_dtau_dq_row, sparsity::rnea_derivatives_dtau_dv_row, sparsity::rnea_derivatives_M_row};
+  static constexpr const int* output_col[3] = {sparsity::rnea_derivatives_dtau_dq_col, sparsity::rnea_derivatives_dtau_dv_col, sparsity::rnea_derivatives_M_col};
+  static constexpr bool output_symmetric[3] = {false, false, true};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::rnea_derivatives<T>(in[0], in[1], in[2], out[0], out[1], out[2]);
@@ -117,7 +195,14 @@ struct aba_derivatives_fn {
   static constexpr const char* name = "aba_derivatives";
   static constexpr int inputs = 3, outputs = 3;
   static constexpr int input_size[3] = {2, 2, 2};
+  static constexpr const char* input_name[3] = {"q", "v", "tau"};
   static constexpr int output_size[3] = {4, 4, 3};
+  static constexpr const char* output_name[3] = {"dqdd_dq", "dqdd_dv", "Minv"};
+  static constexpr int output_rows[3] = {2, 2, 2};
+  static constexpr int output_cols[3] = {2, 2, 2};
+  static constexpr const int* output_row[3] = {sparsity::aba_derivatives_dqdd_dq_row, sparsity::aba_derivatives_dqdd_dv_row, sparsity::aba_derivatives_Minv_row};
+  static constexpr const int* output_col[3] = {sparsity::aba_derivatives_dqdd_dq_col, sparsity::aba_derivatives_dqdd_dv_col, sparsity::aba_derivatives_Minv_col};
+  static constexpr bool output_symmetric[3] = {false, false, true};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     return raw::aba_derivatives<T>(in[0], in[1], in[2], out[0], out[1], out[2]);
@@ -129,7 +214,14 @@ struct rnea_hessian_fn {
   static constexpr const char* name = "rnea_hessian";
   static constexpr int inputs = 4, outputs = 4;
   static constexpr int input_size[4] = {2, 2, 2, 2};
+  static constexpr const char* input_name[4] = {"q", "v", "a", "lambda"};
   static constexpr int output_size[4] = {3, 2, 3, 2};
+  static constexpr const char* output_name[4] = {"H_qq", "H_qv", "H_vv", "H_qa"};
+  static constexpr int output_rows[4] = {2, 2, 2, 2};
+  static constexpr int output_cols[4] = {2, 2, 2, 2};
+  static constexpr const int* output_row[4] = {sparsity::rnea_hessian_H_qq_row, sparsity::rnea_hessian_H_qv_row, sparsity::rnea_hessian_H_vv_row, sparsity::rnea_hessian_H_qa_row};
+  static constexpr const int* output_col[4] = {sparsity::rnea_hessian_H_qq_col, sparsity::rnea_hessian_H_qv_col, sparsity::rnea_hessian_H_vv_col, sparsity::rnea_hessian_H_qa_col};
+  static constexpr bool output_symmetric[4] = {true, false, true, false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::rnea_hessian<T>(in[0], in[1], in[2], in[3], out[0], out[1], out[2], out[3]);
@@ -142,7 +234,14 @@ struct frame_velocity_fn {
   static constexpr const char* name = "frame_velocity";
   static constexpr int inputs = 2, outputs = 1;
   static constexpr int input_size[2] = {2, 2};
+  static constexpr const char* input_name[2] = {"q", "v"};
   static constexpr int output_size[1] = {12};
+  static constexpr const char* output_name[1] = {"velocity"};
+  static constexpr int output_rows[1] = {2};
+  static constexpr int output_cols[1] = {6};
+  static constexpr const int* output_row[1] = {nullptr};
+  static constexpr const int* output_col[1] = {nullptr};
+  static constexpr bool output_symmetric[1] = {false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::frame_velocity<T>(in[0], in[1], out[0]);
@@ -155,7 +254,14 @@ struct frame_acceleration_fn {
   static constexpr const char* name = "frame_acceleration";
   static constexpr int inputs = 3, outputs = 1;
   static constexpr int input_size[3] = {2, 2, 2};
+  static constexpr const char* input_name[3] = {"q", "v", "a"};
   static constexpr int output_size[1] = {12};
+  static constexpr const char* output_name[1] = {"acceleration"};
+  static constexpr int output_rows[1] = {2};
+  static constexpr int output_cols[1] = {6};
+  static constexpr const int* output_row[1] = {nullptr};
+  static constexpr const int* output_col[1] = {nullptr};
+  static constexpr bool output_symmetric[1] = {false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::frame_acceleration<T>(in[0], in[1], in[2], out[0]);
@@ -168,7 +274,14 @@ struct frame_jacobian_fn {
   static constexpr const char* name = "frame_jacobian";
   static constexpr int inputs = 1, outputs = 1;
   static constexpr int input_size[1] = {2};
+  static constexpr const char* input_name[1] = {"q"};
   static constexpr int output_size[1] = {5};
+  static constexpr const char* output_name[1] = {"J"};
+  static constexpr int output_rows[1] = {12};
+  static constexpr int output_cols[1] = {2};
+  static constexpr const int* output_row[1] = {sparsity::frame_jacobian_J_row};
+  static constexpr const int* output_col[1] = {sparsity::frame_jacobian_J_col};
+  static constexpr bool output_symmetric[1] = {false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::frame_jacobian<T>(in[0], out[0]);
@@ -181,7 +294,14 @@ struct frame_jacobian_dot_fn {
   static constexpr const char* name = "frame_jacobian_dot";
   static constexpr int inputs = 2, outputs = 1;
   static constexpr int input_size[2] = {2, 2};
+  static constexpr const char* input_name[2] = {"q", "v"};
   static constexpr int output_size[1] = {2};
+  static constexpr const char* output_name[1] = {"dJ"};
+  static constexpr int output_rows[1] = {12};
+  static constexpr int output_cols[1] = {2};
+  static constexpr const int* output_row[1] = {sparsity::frame_jacobian_dot_dJ_row};
+  static constexpr const int* output_col[1] = {sparsity::frame_jacobian_dot_dJ_col};
+  static constexpr bool output_symmetric[1] = {false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::frame_jacobian_dot<T>(in[0], in[1], out[0]);
@@ -194,7 +314,14 @@ struct frame_velocity_derivatives_fn {
   static constexpr const char* name = "frame_velocity_derivatives";
   static constexpr int inputs = 2, outputs = 2;
   static constexpr int input_size[2] = {2, 2};
+  static constexpr const char* input_name[2] = {"q", "v"};
   static constexpr int output_size[2] = {2, 5};
+  static constexpr const char* output_name[2] = {"dvelocity_dq", "dvelocity_dv"};
+  static constexpr int output_rows[2] = {12, 12};
+  static constexpr int output_cols[2] = {2, 2};
+  static constexpr const int* output_row[2] = {sparsity::frame_velocity_derivatives_dvelocity_dq_row, sparsity::frame_velocity_derivatives_dvelocity_dv_row};
+  static constexpr const int* output_col[2] = {sparsity::frame_velocity_derivatives_dvelocity_dq_col, sparsity::frame_velocity_derivatives_dvelocity_dv_col};
+  static constexpr bool output_symmetric[2] = {false, false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::frame_velocity_derivatives<T>(in[0], in[1], out[0], out[1]);
@@ -207,7 +334,14 @@ struct frame_acceleration_derivatives_fn {
   static constexpr const char* name = "frame_acceleration_derivatives";
   static constexpr int inputs = 3, outputs = 3;
   static constexpr int input_size[3] = {2, 2, 2};
+  static constexpr const char* input_name[3] = {"q", "v", "a"};
   static constexpr int output_size[3] = {2, 4, 5};
+  static constexpr const char* output_name[3] = {"dacceleration_dq", "dacceleration_dv", "dacceleration_da"};
+  static constexpr int output_rows[3] = {12, 12, 12};
+  static constexpr int output_cols[3] = {2, 2, 2};
+  static constexpr const int* output_row[3] = {sparsity::frame_acceleration_derivatives_dacceleration_dq_row, sparsity::frame_acceleration_derivatives_dacceleration_dv_row, sparsity::frame_acceleration_derivatives_dacceleration_da_row};
+  static constexpr const int* output_col[3] = {sparsity::frame_acceleration_derivatives_dacceleration_dq_col, sparsity::frame_acceleration_derivatives_dacceleration_dv_col, sparsity::frame_acceleration_derivatives_dacceleration_da_col};
+  static constexpr bool output_symmetric[3] = {false, false, false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::frame_acceleration_derivatives<T>(in[0], in[1], in[2], out[0], out[1], out[2]);
@@ -220,7 +354,14 @@ struct joint_jacobians_fn {
   static constexpr const char* name = "joint_jacobians";
   static constexpr int inputs = 1, outputs = 1;
   static constexpr int input_size[1] = {2};
+  static constexpr const char* input_name[1] = {"q"};
   static constexpr int output_size[1] = {4};
+  static constexpr const char* output_name[1] = {"J_world"};
+  static constexpr int output_rows[1] = {6};
+  static constexpr int output_cols[1] = {2};
+  static constexpr const int* output_row[1] = {sparsity::joint_jacobians_J_world_row};
+  static constexpr const int* output_col[1] = {sparsity::joint_jacobians_J_world_col};
+  static constexpr bool output_symmetric[1] = {false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::joint_jacobians<T>(in[0], out[0]);
@@ -233,7 +374,14 @@ struct transforms_fn {
   static constexpr const char* name = "transforms";
   static constexpr int inputs = 1, outputs = 3;
   static constexpr int input_size[1] = {2};
+  static constexpr const char* input_name[1] = {"q"};
   static constexpr int output_size[3] = {14, 14, 14};
+  static constexpr const char* output_name[3] = {"T", "T_inverse", "dT"};
+  static constexpr int output_rows[3] = {8, 8, 8};
+  static constexpr int output_cols[3] = {4, 4, 8};
+  static constexpr const int* output_row[3] = {sparsity::transforms_T_row, sparsity::transforms_T_inverse_row, sparsity::transforms_dT_row};
+  static constexpr const int* output_col[3] = {sparsity::transforms_T_col, sparsity::transforms_T_inverse_col, sparsity::transforms_dT_col};
+  static constexpr bool output_symmetric[3] = {false, false, false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::transforms<T>(in[0], out[0], out[1], out[2]);
@@ -246,7 +394,14 @@ struct com_fn {
   static constexpr const char* name = "com";
   static constexpr int inputs = 2, outputs = 2;
   static constexpr int input_size[2] = {2, 2};
+  static constexpr const char* input_name[2] = {"q", "v"};
   static constexpr int output_size[2] = {3, 3};
+  static constexpr const char* output_name[2] = {"c", "vc"};
+  static constexpr int output_rows[2] = {3, 3};
+  static constexpr int output_cols[2] = {1, 1};
+  static constexpr const int* output_row[2] = {nullptr, nullptr};
+  static constexpr const int* output_col[2] = {nullptr, nullptr};
+  static constexpr bool output_symmetric[2] = {false, false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::com<T>(in[0], in[1], out[0], out[1]);
@@ -259,7 +414,14 @@ struct com_jacobian_fn {
   static constexpr const char* name = "com_jacobian";
   static constexpr int inputs = 1, outputs = 1;
   static constexpr int input_size[1] = {2};
+  static constexpr const char* input_name[1] = {"q"};
   static constexpr int output_size[1] = {4};
+  static constexpr const char* output_name[1] = {"Jc"};
+  static constexpr int output_rows[1] = {3};
+  static constexpr int output_cols[1] = {2};
+  static constexpr const int* output_row[1] = {sparsity::com_jacobian_Jc_row};
+  static constexpr const int* output_col[1] = {sparsity::com_jacobian_Jc_col};
+  static constexpr bool output_symmetric[1] = {false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::com_jacobian<T>(in[0], out[0]);
@@ -272,7 +434,14 @@ struct centroidal_fn {
   static constexpr const char* name = "centroidal";
   static constexpr int inputs = 3, outputs = 3;
   static constexpr int input_size[3] = {2, 2, 2};
+  static constexpr const char* input_name[3] = {"q", "v", "a"};
   static constexpr int output_size[3] = {6, 6, 6};
+  static constexpr const char* output_name[3] = {"h", "A_G", "dh"};
+  static constexpr int output_rows[3] = {6, 6, 6};
+  static constexpr int output_cols[3] = {1, 2, 1};
+  static constexpr const int* output_row[3] = {nullptr, sparsity::centroidal_A_G_row, nullptr};
+  static constexpr const int* output_col[3] = {nullptr, sparsity::centroidal_A_G_col, nullptr};
+  static constexpr bool output_symmetric[3] = {false, false, false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::centroidal<T>(in[0], in[1], in[2], out[0], out[1], out[2]);
@@ -285,7 +454,14 @@ struct energy_fn {
   static constexpr const char* name = "energy";
   static constexpr int inputs = 2, outputs = 2;
   static constexpr int input_size[2] = {2, 2};
+  static constexpr const char* input_name[2] = {"q", "v"};
   static constexpr int output_size[2] = {1, 1};
+  static constexpr const char* output_name[2] = {"T", "V"};
+  static constexpr int output_rows[2] = {1, 1};
+  static constexpr int output_cols[2] = {1, 1};
+  static constexpr const int* output_row[2] = {nullptr, nullptr};
+  static constexpr const int* output_col[2] = {nullptr, nullptr};
+  static constexpr bool output_symmetric[2] = {false, false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::energy<T>(in[0], in[1], out[0], out[1]);
@@ -298,7 +474,14 @@ struct regressor_fn {
   static constexpr const char* name = "regressor";
   static constexpr int inputs = 3, outputs = 1;
   static constexpr int input_size[3] = {2, 2, 2};
+  static constexpr const char* input_name[3] = {"q", "v", "a"};
   static constexpr int output_size[1] = {10};
+  static constexpr const char* output_name[1] = {"Y"};
+  static constexpr int output_rows[1] = {2};
+  static constexpr int output_cols[1] = {20};
+  static constexpr const int* output_row[1] = {sparsity::regressor_Y_row};
+  static constexpr const int* output_col[1] = {sparsity::regressor_Y_col};
+  static constexpr bool output_symmetric[1] = {false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::regressor<T>(in[0], in[1], in[2], out[0]);
@@ -311,7 +494,14 @@ struct integrate_fn {
   static constexpr const char* name = "integrate";
   static constexpr int inputs = 2, outputs = 1;
   static constexpr int input_size[2] = {2, 2};
+  static constexpr const char* input_name[2] = {"q", "v"};
   static constexpr int output_size[1] = {2};
+  static constexpr const char* output_name[1] = {"q_next"};
+  static constexpr int output_rows[1] = {2};
+  static constexpr int output_cols[1] = {1};
+  static constexpr const int* output_row[1] = {nullptr};
+  static constexpr const int* output_col[1] = {nullptr};
+  static constexpr bool output_symmetric[1] = {false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::integrate<T>(in[0], in[1], out[0]);
@@ -324,7 +514,14 @@ struct difference_fn {
   static constexpr const char* name = "difference";
   static constexpr int inputs = 2, outputs = 1;
   static constexpr int input_size[2] = {2, 2};
+  static constexpr const char* input_name[2] = {"q", "q1"};
   static constexpr int output_size[1] = {2};
+  static constexpr const char* output_name[1] = {"d"};
+  static constexpr int output_rows[1] = {2};
+  static constexpr int output_cols[1] = {1};
+  static constexpr const int* output_row[1] = {nullptr};
+  static constexpr const int* output_col[1] = {nullptr};
+  static constexpr bool output_symmetric[1] = {false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::difference<T>(in[0], in[1], out[0]);
@@ -337,7 +534,14 @@ struct integrate_derivatives_fn {
   static constexpr const char* name = "integrate_derivatives";
   static constexpr int inputs = 2, outputs = 2;
   static constexpr int input_size[2] = {2, 2};
+  static constexpr const char* input_name[2] = {"q", "v"};
   static constexpr int output_size[2] = {2, 2};
+  static constexpr const char* output_name[2] = {"dq_next_dq", "dq_next_dv"};
+  static constexpr int output_rows[2] = {2, 2};
+  static constexpr int output_cols[2] = {2, 2};
+  static constexpr const int* output_row[2] = {sparsity::integrate_derivatives_dq_next_dq_row, sparsity::integrate_derivatives_dq_next_dv_row};
+  static constexpr const int* output_col[2] = {sparsity::integrate_derivatives_dq_next_dq_col, sparsity::integrate_derivatives_dq_next_dv_col};
+  static constexpr bool output_symmetric[2] = {false, false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::integrate_derivatives<T>(in[0], in[1], out[0], out[1]);
@@ -350,7 +554,14 @@ struct difference_derivatives_fn {
   static constexpr const char* name = "difference_derivatives";
   static constexpr int inputs = 2, outputs = 2;
   static constexpr int input_size[2] = {2, 2};
+  static constexpr const char* input_name[2] = {"q", "q1"};
   static constexpr int output_size[2] = {2, 2};
+  static constexpr const char* output_name[2] = {"dd_dq", "dd_dq1"};
+  static constexpr int output_rows[2] = {2, 2};
+  static constexpr int output_cols[2] = {2, 2};
+  static constexpr const int* output_row[2] = {sparsity::difference_derivatives_dd_dq_row, sparsity::difference_derivatives_dd_dq1_row};
+  static constexpr const int* output_col[2] = {sparsity::difference_derivatives_dd_dq_col, sparsity::difference_derivatives_dd_dq1_col};
+  static constexpr bool output_symmetric[2] = {false, false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::difference_derivatives<T>(in[0], in[1], out[0], out[1]);

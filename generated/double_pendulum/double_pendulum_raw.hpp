@@ -34,6 +34,9 @@ inline constexpr double tau_upper[2] = {
 
 /// Frames in the order of fk and of the frame functions: row k of what has one row a frame.
 namespace frame {
+inline constexpr int count = 2;
+inline constexpr const char* names[2] = {
+    "upper_rod", "lower_rod"};
 inline constexpr int upper_rod = 0;
 inline constexpr int lower_rod = 1;
 }  // namespace frame
@@ -286,6 +289,11 @@ extern template void rnea<double>(const double* q, const double* v, const double
 template <class T>
 void gravity(const T* q, T* g) noexcept;
 extern template void gravity<double>(const double* q, double* g) noexcept;
+
+/// Statics: the joint forces that hold the body at rest under loads, tau = g(q) - J^T f_ext.
+template <class T>
+void statics(const T* q, T* tau) noexcept;
+extern template void statics<double>(const double* q, double* tau) noexcept;
 
 /// Nonlinear effects: C(q, v) v + g(q).
 template <class T>

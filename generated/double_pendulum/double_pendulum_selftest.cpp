@@ -364,6 +364,12 @@ const double rnea_hessian_lambda[kStates][2] = {
     {-0.3768226256377718, -0.30675545917660196},
     {0.4527072290334955, 0.47817464869515813},
 };
+const double statics_tau[kStates][2] = {
+    {6.13932133623, 1.3606006384},
+    {9.67542359267, 0.361900837094},
+    {-8.34532781538, -1.26071205274},
+    {5.9079506652, -1.38064367528},
+};
 const double tau[kStates][2] = {
     {-1.1147059834728381, 0.4613435970196278},
     {-8.680796137088471, -7.537822261238958},
@@ -505,6 +511,13 @@ int run() {
     worst(gravity_g_error, relative_error(out0, gravity_g[s]));
   }
   report("gravity", gravity_g_error, 1e-11);
+  double statics_tau_error = 0;
+  for (int s = 0; s < kStates; ++s) {
+    std::vector<double> out0(2);
+    double_pendulum::raw::statics<double>(q[s], out0.data());
+    worst(statics_tau_error, relative_error(out0, statics_tau[s]));
+  }
+  report("statics", statics_tau_error, 1e-11);
   double nle_nle_error = 0;
   for (int s = 0; s < kStates; ++s) {
     std::vector<double> out0(2);

@@ -2,7 +2,9 @@
 // This file belongs to whoever generated it; arboc claims no right to it.
 //
 // The functions of ur5 as types, for arboc::Batch and other code that is written once for all
-// functions.  Include the header of each function that you use as well.
+// functions.  Include the header of each function that you use as well.  Entry e of output k stands
+// at (output_row[k][e], output_col[k][e]), of symmetric ones in the upper triangle; null: dense, by
+// rows.
 #pragma once
 
 #include "ur5_raw.hpp"
@@ -15,7 +17,14 @@ struct rnea_fn {
   static constexpr const char* name = "rnea";
   static constexpr int inputs = 3, outputs = 1;
   static constexpr int input_size[3] = {6, 6, 6};
+  static constexpr const char* input_name[3] = {"q", "v", "a"};
   static constexpr int output_size[1] = {6};
+  static constexpr const char* output_name[1] = {"tau"};
+  static constexpr int output_rows[1] = {6};
+  static constexpr int output_cols[1] = {1};
+  static constexpr const int* output_row[1] = {nullptr};
+  static constexpr const int* output_col[1] = {nullptr};
+  static constexpr bool output_symmetric[1] = {false};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::rnea<T>(in[0], in[1], in[2], out[0]);
@@ -28,7 +37,14 @@ struct crba_fn {
   static constexpr const char* name = "crba";
   static constexpr int inputs = 1, outputs = 1;
   static constexpr int input_size[1] = {6};
+  static constexpr const char* input_name[1] = {"q"};
   static constexpr int output_size[1] = {20};
+  static constexpr const char* output_name[1] = {"M"};
+  static constexpr int output_rows[1] = {6};
+  static constexpr int output_cols[1] = {6};
+  static constexpr const int* output_row[1] = {sparsity::crba_M_row};
+  static constexpr const int* output_col[1] = {sparsity::crba_M_col};
+  static constexpr bool output_symmetric[1] = {true};
   template <class T>
   static arboc::status_t<T> call(const T* const* in, T* const* out) noexcept {
     raw::crba<T>(in[0], out[0]);

@@ -34,6 +34,9 @@ inline constexpr double tau_upper[6] = {
 
 /// Frames in the order of fk and of the frame functions: row k of what has one row a frame.
 namespace frame {
+inline constexpr int count = 6;
+inline constexpr const char* names[6] = {
+    "shoulder", "upper_arm", "forearm", "wrist_1_link", "wrist_2_link", "wrist_3_link"};
 inline constexpr int shoulder = 0;
 inline constexpr int upper_arm = 1;
 inline constexpr int forearm = 2;

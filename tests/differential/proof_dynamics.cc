@@ -167,6 +167,13 @@ std::vector<Identity> dynamics_identities() {
              return apart(c.vector("gravity", "g"),
                           as_vector(c.derivative(kGradient, "energy.V:q").at("grad_q")));
            }},
+          {"statics", "rnea at v = a = 0",
+           [](const Case& c) -> Error {
+             const VectorXd rest = VectorXd::Zero(c.nv());
+             Values at = c.with("a", rest);
+             at["v"] = c.with("v", rest).at("v");
+             return apart(c.vector("statics", "tau"), c.vector("rnea", "tau", at));
+           }},
           {"nle", "rnea at a = 0",
            [](const Case& c) -> Error {
              return apart(c.vector("nle", "nle"),

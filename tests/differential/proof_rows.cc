@@ -60,13 +60,17 @@ void add_force_rows(std::vector<Row>& rows) {
       rows.push_back({{f}, v});
     rows.push_back(row(kJacobian, "rnea.tau:q,f_ext", v));
     rows.push_back({{"rnea_hessian"}, v});
+    rows.push_back({{"statics"}, v});
+    rows.push_back(row(kJacobian, "statics.tau:q,f_ext", v));
+    rows.push_back(row(kHessian, "statics.tau:q,f_ext", v));
   }
   const Variation joints = forced("joint forces", false), both = forced("all forces", true);
-  for (const char* f : {"rnea", "nle", "crba", "minv", "aba", "rnea_derivatives"})
+  for (const char* f : {"rnea", "statics", "nle", "crba", "minv", "aba", "rnea_derivatives"})
     rows.push_back({{f}, joints});
   for (const Variation& v : {joints, both}) {
     rows.push_back({{"aba_derivatives"}, v});
     rows.push_back({{"rnea_hessian"}, v});
+    rows.push_back(row(kHessian, "statics.tau:q", v));
   }
   rows.push_back({{"rnea_hessian"}, forced("all forces, iterated", true, true)});
 }
@@ -103,7 +107,7 @@ void add_parameter_rows(std::vector<Row>& rows) {
   rows.push_back(row(kHessian, "rnea.tau:q,masses", v));
   v.name = "parameters, all forces";
   v.loads = v.joint_forces = true;
-  for (const char* f : {"rnea", "aba", "rnea_derivatives", "aba_derivatives"})
+  for (const char* f : {"rnea", "statics", "aba", "rnea_derivatives", "aba_derivatives"})
     rows.push_back({{f}, v});
   rows.push_back(row(kJacobian, "rnea.tau:f_ext,masses,lengths", v));
 }

@@ -71,7 +71,8 @@ TEST(CliOptions, Functions) {
       {{{"--functions", "rnae"}, "--functions: there is no function 'rnae' (did you mean 'rnea'?)"},
        {{"--functions", ""}, "--functions: the list is empty"},
        {{"--functions", ","},
-        "--functions: there is no function '' (known are 'fk', 'rnea', 'gravity', 'nle', 'crba', "
+        "--functions: there is no function '' (known are 'fk', 'rnea', 'gravity', 'statics', "
+        "'nle', 'crba', "
         "'minv', 'aba', 'rnea_derivatives', 'aba_derivatives', 'rnea_hessian', 'frame_velocity', "
         "'frame_acceleration', 'frame_jacobian', 'frame_jacobian_dot', "
         "'frame_velocity_derivatives', 'frame_acceleration_derivatives', 'joint_jacobians', "
