@@ -1,0 +1,83 @@
+// Solving an Nlp, and saying what came out.
+//
+// The solver is Ipopt (interior point, exact Hessians), behind this interface so that programs do
+// not see it.  It works on x / scale and c / scale of the Nlp.
+#ifndef ARBOC_NLP_SOLVER_HPP
+#define ARBOC_NLP_SOLVER_HPP
+
+#include <functional>
+
+#include "nlp.hpp"
+
+namespace arboc {
+inline namespace v1 {
+namespace nlp {
+
+enum class Status {
+  kOptimal,     ///< first-order optimal to the tolerances
+  kInfeasible,  ///< converged to a point where the violation cannot be made smaller nearby
+  kStopped,     ///< by a limit, by the caller, or because no better point could be found
+};
+const char* text(Status status);
+
+/// Multipliers at a solution, in the Nlp's own units: of sum lambda c(x) - z_lower (x - lower) -
+/// ...
+struct Multipliers {
+  std::vector<double> rows, lower, upper;
+};
+
+struct Progress {
+  int iteration;
+  double objective, violation;  ///< violation: largest, of rows in units of their scale
+};
+
+struct SolverOptions {
+  double tolerance = 1e-8;      ///< of optimality, scaled
+  double row_tolerance = 1e-9;  ///< of rows, in units of their scale
+  int max_iterations = 500;
+  double max_seconds = 60;
+  double objective_scale = 1;  ///< what counts as 1 of the objective
+  int print_level = 0;         ///< Ipopt's
+  /// Given: start from these multipliers too, close to the bounds that are active.
+  const Multipliers* warm = nullptr;
+  double warm_barrier = 1e-6;  ///< the barrier's weight with which a warm start begins
+  std::function<bool(const Progress&)> go_on = {};  ///< false stops
+};
+
+struct Solution {
+  Status status = Status::kStopped;
+  std::string reason;  ///< in words
+  std::vector<double> x;
+  Multipliers multipliers;
+  double objective = 0;
+  double kkt_error = 0;  ///< see kkt_error()
+  double violation = 0;  ///< largest, of rows and bounds in units of their scales
+  int iterations = 0;
+  double seconds = 0;                                  ///< all of it
+  double cpu_seconds = 0;                              ///< of the process meanwhile
+  double derivative_seconds = 0, hessian_seconds = 0;  ///< of these in the Nlp; and its Hessians
+};
+
+/// From x; bounds are respected from the start.  Throws std::runtime_error where Ipopt cannot
+/// begin.
+Solution solve(Nlp& nlp, std::vector<double> x, const SolverOptions& options = {});
+
+/// The larger of stationarity and complementarity of x / scale, c / scale and the objective /
+/// objective_scale, over max(100, mean of the multipliers) / 100, as [Ipopt] (5).
+double kkt_error(Nlp& nlp, const std::vector<double>& x, const Multipliers& multipliers,
+                 double objective_scale);
+
+/// How far a group's rows are out of bounds, in their unit.
+struct GroupViolation {
+  std::string name, unit;
+  double largest = 0, norm = 0;
+};
+std::vector<GroupViolation> violations(Nlp& nlp, const std::vector<double>& x);
+/// The largest of rows and variables, in units of their scales.
+double largest_violation(Nlp& nlp, const std::vector<double>& x);
+
+}  // namespace nlp
+}  // namespace v1
+}  // namespace arboc
+
+#endif  // ARBOC_NLP_SOLVER_HPP
