@@ -1,0 +1,129 @@
+#include "table.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "task.h"
+
+namespace posture {
+
+void fail(const toml::source_region& where, const std::string& message) {
+  std::ostringstream text;
+  if (where.path) text << *where.path << ':';
+  text << where.begin.line << ':' << where.begin.column << ": error: " << message;
+  throw TaskError(text.str());
+}
+
+void fail(const toml::node& at, const std::string& message) { fail(at.source(), message); }
+
+double number_of(const toml::node& node, const std::string& what) {
+  const std::optional<double> x = node.value<double>();
+  if (!node.is_number() || !x || std::isnan(*x)) fail(node, what + " is not a number");
+  return *x;
+}
+
+Eigen::Vector3d vector_of(const toml::node& node, const std::string& what) {
+  const toml::array* list = node.as_array();
+  if (!list || list->size() != 3) fail(node, what + " is not a list of three numbers");
+  Eigen::Vector3d v;
+  for (std::size_t i = 0; i < 3; ++i)
+    v[static_cast<Eigen::Index>(i)] = number_of(*list->get(i), what);
+  return v;
+}
+
+void Table::fail(const std::string& message) const {
+  posture::fail(table_, what_ + ": " + message);
+}
+
+const toml::node* Table::find(const char* key) {
+  known_.insert(key);
+  return table_.get(key);
+}
+
+std::string Table::text(const char* key) {
+  if (!find(key)) fail(std::string(key) + " is missing");
+  return text(key, "");
+}
+std::string Table::text(const char* key, std::string otherwise) {
+  const toml::node* node = find(key);
+  if (!node) return otherwise;
+  if (!node->is_string()) posture::fail(*node, what_ + ": " + key + " is not a text");
+  return *node->value<std::string>();
+}
+double Table::number(const char* key, double otherwise) {
+  const toml::node* node = find(key);
+  return node ? number_of(*node, what_ + ": " + key) : otherwise;
+}
+int Table::whole(const char* key, int otherwise, int least) {
+  const toml::node* node = find(key);
+  if (!node) return otherwise;
+  const std::optional<int> x = node->value<int>();
+  if (!node->is_integer() || !x || *x < least)
+    posture::fail(
+        *node, what_ + ": " + key + " is not a whole number of at least " + std::to_string(least));
+  return *x;
+}
+bool Table::flag(const char* key, bool otherwise) {
+  const toml::node* node = find(key);
+  if (!node) return otherwise;
+  if (!node->is_boolean()) posture::fail(*node, what_ + ": " + key + " is neither true nor false");
+  return *node->value<bool>();
+}
+Eigen::Vector3d Table::vector(const char* key) {
+  if (!find(key)) fail(std::string(key) + " is missing");
+  return vector_of(*find(key), what_ + ": " + key);
+}
+Eigen::Vector3d Table::vector(const char* key, const Eigen::Vector3d& otherwise) {
+  return has(key) ? vector(key) : otherwise;
+}
+
+std::array<std::array<double, 2>, 3> Table::limits(const char* key) {
+  std::array<std::array<double, 2>, 3> out{};
+  const toml::node* node = find(key);
+  if (!node) return out;
+  const std::string what = what_ + ": " + key;
+  const toml::array* list = node->as_array();
+  if (!list || list->size() != 3)
+    posture::fail(*node, what + " is not a list of three numbers or pairs of limits");
+  for (std::size_t i = 0; i < 3; ++i) {
+    const toml::node& entry = *list->get(i);
+    const toml::array* pair = entry.as_array();
+    if (!pair) {
+      out[i].fill(number_of(entry, what));
+      continue;
+    }
+    if (pair->size() != 2) posture::fail(entry, what + ": limits are two numbers");
+    for (std::size_t k = 0; k < 2; ++k) out[i][k] = number_of(*pair->get(k), what);
+    if (out[i][0] > out[i][1]) posture::fail(entry, what + ": the lower limit is above the upper");
+  }
+  return out;
+}
+
+std::vector<Table> Table::tables(const char* key) {
+  std::vector<Table> out;
+  const toml::node* node = find(key);
+  if (!node) return out;
+  const toml::array* list = node->as_array();
+  if (!list) posture::fail(*node, what_ + ": " + key + " is not a list of tables");
+  for (const toml::node& entry : *list) {
+    if (!entry.is_table()) posture::fail(entry, what_ + ": an entry of " + key + " is not a table");
+    const auto name = (*entry.as_table())["name"].value<std::string>();
+    out.emplace_back(*entry.as_table(), std::string(key) + (name ? " '" + *name + "'" : ""));
+  }
+  return out;
+}
+std::optional<Table> Table::table(const char* key) {
+  const toml::node* node = find(key);
+  if (!node) return std::nullopt;
+  if (!node->is_table()) posture::fail(*node, what_ + ": " + key + " is not a table");
+  return Table(*node->as_table(), key);
+}
+
+void Table::finish() const {
+  for (const auto& [key, node] : table_) {
+    if (known_.count(std::string(key.str()))) continue;
+    posture::fail(key.source(), what_ + ": there is no key '" + std::string(key.str()) + "'");
+  }
+}
+
+}  // namespace posture
