@@ -26,7 +26,7 @@ struct DhValue {
   double number = 0;
   bool flag = false;
   std::vector<DhValue> items{};  ///< of kList
-  std::vector<Entry> entries{};  ///< of kTable, in file order
+  std::vector<Entry> entries;    ///< of kTable, in file order; without {}: Entry is incomplete here
 
   /// "a number", "a list", ...
   const char* kind_name() const;
