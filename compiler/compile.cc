@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/number.h"
@@ -53,6 +54,22 @@ std::string limbs_text(const Setup& setup, const CompiledLanes& lanes) {
   return fmt::format("Limbs in lanes: {}.", fmt::join(groups, "; "));
 }
 
+/// Products and quotients of the model's numbers that no double holds.
+void refuse_overflow(const Graph& graph, const Request& request, const Setup& setup) {
+  const Region& region = graph.regions.back();
+  for (const Node& node : region.nodes) {
+    if (node.op != Op::kConstant) continue;
+    const auto first = region.constants.begin() + node.index;
+    if (std::all_of(first, first + node.count, [](double x) { return std::isfinite(x); })) continue;
+    const std::string& block = region.blocks[node.block];
+    throw InputError(fmt::format(
+        "{}: error: {}: numbers of the model leave the range of double{} (check the units: m, kg, "
+        "kg m^2)",
+        printable(setup.model.file), name(request),
+        block.empty() ? "" : " at " + printable(block)));
+  }
+}
+
 }  // namespace
 
 CompiledFunction compile_function(const Request& request, const Setup& setup) {
@@ -63,6 +80,7 @@ CompiledFunction compile_function(const Request& request, const Setup& setup) {
     if (!first && !setup.simplify.frames) break;
     lowering.regroup = lowering.regroup && setup.simplify.regroup;
     Traced traced = trace_of(request, setup, lowering);
+    refuse_overflow(traced.graph, request, setup);
     Graph graph = run_passes(std::move(traced.graph), setup.simplify.fuse);
     Program program = schedule(graph);
     if (!first && program.ops.total() >= best.program.ops.total()) continue;

@@ -72,6 +72,12 @@ void record(const Setup& setup, const std::vector<CompiledFunction>& functions,
       for (const auto& [name, result] : results) largest = std::max(largest, largest_entry(result));
       for (const Argument& output : f.signature.outputs) {
         std::vector<double>& y = results[output.name];
+        if (!std::all_of(y.begin(), y.end(), [](double x) { return std::isfinite(x); }))
+          throw InputError(
+              fmt::format("{}: error: {}: its values at ordinary states are not finite (check the "
+                          "units: m, kg, "
+                          "kg m^2)",
+                          printable(setup.model.file), f.signature.name));
         const bool all = output.tolerance == kDifferencedTwice;
         v[f.signature.name + "." + output.name] =
             rounded(y, output.tolerance, all ? largest : largest_entry(y));

@@ -89,20 +89,31 @@ std::string ModelBuilder::checked_name(const Element& element) {
   } else if (has_control_character(name.text)) {
     findings_.error(element.fault(name.where, "name contains a control character",
                                   "a name is one line of text"));
+  } else if (name.text.find("${") != std::string_view::npos ||
+             name.text.find("$(") != std::string_view::npos) {
+    findings_.warning(element.fault(name.where,
+                                    fmt::format("name {} is not expanded", quoted(name.text)),
+                                    "run xacro on the file first"));
   }
   return std::string(name.text);
 }
 
 void ModelBuilder::read_origin(const Element& element) {
   constexpr double kLargestAngle = 1e9;  // the domain of exact_sincos
+  constexpr double kTurn = 6.2832;       // as people round 2 pi
   Pose pose;
   if (element["xyz"].valid) pose.xyz = element["xyz"].vector();
   if (const AttributeValue& rpy = element["rpy"]; rpy.valid) {
     pose.rpy = rpy.vector();
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i) {
+      const std::string angle = shortest(pose.rpy[i]);
       if (std::fabs(pose.rpy[i]) >= kLargestAngle)
-        findings_.error(element.fault(
-            rpy.where, fmt::format("rpy: {} rad is beyond 1e9", shortest(pose.rpy[i]))));
+        findings_.error(element.fault(rpy.where, fmt::format("rpy: {} rad is beyond 1e9", angle)));
+      else if (std::fabs(pose.rpy[i]) > kTurn)
+        findings_.warning(element.fault(rpy.where,
+                                        fmt::format("rpy: {} rad is more than a turn", angle),
+                                        "angles are in radians"));
+    }
   }
   (element.parent == Tag::kJoint ? joint().origin : inertial_.inertial.origin) = pose;
 }

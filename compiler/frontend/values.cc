@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/number.h"
 #include "model/findings.h"
 
@@ -28,11 +30,31 @@ std::string remedy(std::string_view text) {
   return "";
 }
 
+/// Removes leading digits; how many there were.
+size_t skip_digits(std::string_view& text) {
+  const size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
+  text.remove_prefix(count);
+  return count;
+}
+
+void skip_sign(std::string_view& text) {
+  if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+}
+
+/// Whether text that is not a double is a number all the same.
 bool is_out_of_range(std::string_view text) {
-  return text.find_first_not_of("0123456789+-.eE") == std::string_view::npos &&
-         text.find_first_of("eE") != std::string_view::npos &&
-         parse_finite(text.substr(0, text.find_first_of("eE"))).has_value() &&
-         text.find_first_of("0123456789", text.find_first_of("eE")) != std::string_view::npos;
+  skip_sign(text);
+  size_t digits = skip_digits(text);
+  if (text.starts_with('.')) {
+    text.remove_prefix(1);
+    digits += skip_digits(text);
+  }
+  if (digits == 0) return false;
+  if (text.empty()) return true;
+  if (text[0] != 'e' && text[0] != 'E') return false;
+  text.remove_prefix(1);
+  skip_sign(text);
+  return skip_digits(text) > 0 && text.empty();
 }
 
 }  // namespace

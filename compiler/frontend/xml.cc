@@ -197,6 +197,10 @@ class Reader {
       case XML_ERROR_INCORRECT_ENCODING: hint = "save the file as UTF-8"; break;
       default: break;
     }
+    const size_t first = text_.find_first_not_of(" \t\r\n");
+    if (hint.empty() && depth_ == 0 && text_.substr(first, 1) != "<" &&
+        text_.substr(first, 3) != "\xEF\xBB\xBF")
+      hint = "the file does not begin with '<'";
     const char* what = code == XML_ERROR_INVALID_TOKEN ? "invalid token" : XML_ErrorString(code);
     refuse(where, fmt::format("not well-formed XML: {}", what), std::move(hint));
   }

@@ -242,5 +242,26 @@ TEST(Extreme, ThinRods) {
   }
 }
 
+/// How many functions are refused.
+int refused(const Model& model) {
+  const Setup setup = resolve(model);
+  int count = 0;
+  for (const std::string& function : function_names()) {
+    try {
+      compile_function({function}, setup);
+    } catch (const InputError& e) {
+      ++count;
+      EXPECT_NE(std::string(e.what()).find("chain.urdf: error: " + function), std::string::npos)
+          << e.what();
+    }
+  }
+  return count;
+}
+
+TEST(Extreme, NumbersThatOverflowAreInputErrors) {
+  EXPECT_GT(refused(chain({1e308, 1e308, 1e308})), 0);
+  EXPECT_EQ(refused(chain({1, 1, 1})), 0);
+}
+
 }  // namespace
 }  // namespace arboc::test

@@ -119,6 +119,49 @@ TEST(Messages, Names) {
                 "...': name has 1025 bytes (the limit is 1024)\n");
 }
 
+TEST(Messages, NamesThatXacroShouldHaveExpanded) {
+  EXPECT_EQ(said("<robot name='${arm}'><link name='$(arg x)'/></robot>"),
+            "robot.urdf:1:8: warning: robot: name '${arm}' is not expanded (run xacro on the file "
+            "first)\n"
+            "robot.urdf:1:28: warning: link '$(arg x)': name '$(arg x)' is not expanded (run xacro "
+            "on the file first)\n");
+}
+
+TEST(Messages, AnglesBeyondATurn) {
+  EXPECT_EQ(
+      said(with_joint("fixed", "<origin rpy='0 90 6.2831853'/>")),
+      "robot.urdf:4:73: warning: joint 'j': <origin>: rpy: 90 rad is more than a turn (angles "
+      "are in radians)\n");
+}
+
+TEST(Messages, NumbersBeyondDouble) {
+  const std::string digits(400, '9');
+  for (const char* text : {"1e400", "-1e400", "1e-400", "1.5e+999999999999999999999"})
+    EXPECT_NE(said(with_joint("fixed", std::string("<origin xyz='0 0 ") + text + "'/>"))
+                  .find("' is beyond the range of double\n"),
+              std::string::npos)
+        << text;
+  EXPECT_NE(
+      said(with_joint("fixed", "<origin xyz='0 0 " + digits + "'/>")).find("beyond the range"),
+      std::string::npos);
+  for (const char* text : {"1e5.5", "1e", "e5", ".e5", "1e+", "--1", "1..0"})
+    EXPECT_NE(said(with_joint("fixed", std::string("<origin xyz='0 0 ") + text + "'/>"))
+                  .find("' is not a number\n"),
+              std::string::npos)
+        << text;
+}
+
+TEST(Messages, FilesThatAreNoXml) {
+  EXPECT_EQ(
+      said("{\"robot\": 1}"),
+      "robot.urdf:1:1: error: not well-formed XML: invalid token (the file does not begin with "
+      "'<')\n");
+  EXPECT_EQ(
+      said("robot: r2"),
+      "robot.urdf:1:1: error: not well-formed XML: syntax error (the file does not begin with "
+      "'<')\n");
+}
+
 TEST(Messages, UnknownWords) {
   expect_all({
       {"<robot name='r'><link name='a'><intertial/></link></robot>",
