@@ -41,6 +41,9 @@ struct Result {
   std::vector<std::array<double, 6>> reactions;  ///< of contacts, on the body, at the point, world
   std::vector<arboc::nlp::GroupViolation> violations;
   std::vector<std::string> active;  ///< limits that hold back
+  /// Of the problem: variables, of these fixed, equalities, inequalities, Jacobian, Hessian
+  /// entries.
+  std::array<int, 6> size{};
   std::vector<Start> starts;
   int best = -1;
   arboc::nlp::Diagnosis diagnosis;  ///< where there is no solution

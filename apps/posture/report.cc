@@ -93,6 +93,22 @@ void list_active(const Task& task, const Model& model, const Built& built,
       note(built.reactions[c][i].index, task.contacts[c].name + " " + component[i]);
 }
 
+std::array<int, 6> size_of(const Nlp& nlp) {
+  const Scales &v = nlp.variables(), &r = nlp.rows();
+  const auto equal = [](const Scales& s) {
+    int n = 0;
+    for (std::size_t k = 0; k < s.size(); ++k) n += s.lower[k] == s.upper[k];
+    return n;
+  };
+  const int rows = static_cast<int>(r.size());
+  return {static_cast<int>(v.size()),
+          equal(v),
+          equal(r),
+          rows - equal(r),
+          static_cast<int>(nlp.jacobian_pattern().size()),
+          static_cast<int>(nlp.hessian_pattern().size())};
+}
+
 /// 16.0 mm, 3.2 N m: lengths in mm, one digit behind the point.
 std::string amount(double x, const std::string& unit) {
   std::ostringstream text;
@@ -107,6 +123,7 @@ std::string amount(double x, const std::string& unit) {
 void report(const Task& task, const Model& model, const Built& built, const std::vector<double>& x,
             Result& result) {
   result.violations = violations(*built.nlp, x);
+  result.size = size_of(*built.nlp);
   result.q.assign(x.begin(), x.begin() + built.q.size());
   add_torques(model, built, x, result);
   add_measures(task, model, result);

@@ -81,6 +81,9 @@ std::string json_text(const Task& task, const Model& model, const Result& result
   json["violations"] = violations;
   json["active"] = result.active;
   if (!result.diagnosis.conflicts.empty()) json["conflicts"] = conflicts(result.diagnosis);
+  json["problem"] = {{"variables", result.size[0]},        {"fixed", result.size[1]},
+                     {"equalities", result.size[2]},       {"inequalities", result.size[3]},
+                     {"jacobian_entries", result.size[4]}, {"hessian_entries", result.size[5]}};
   json["best"] = result.best;
   json["starts"] = starts(result);
   if (result.again)

@@ -38,6 +38,16 @@ TEST(Santos, EachObjectiveIsLeastForItsOwnSolution) {
       EXPECT_LE(value[k][k], value[k][j] * (1 + 1e-3)) << kMeasure[k] << " of " << j + 1;
 }
 
+/// 55 coordinates, 24 of reactions, 49 torques; moments about the bar and two of each foot are 0.
+TEST(Santos, TheProblemHasTheSizeThatItShouldHave) {
+  const posture::Result r = solve_task("santos_trial1_obj3", 1);
+  EXPECT_EQ(r.size[0], 55 + 24 + 49);
+  EXPECT_EQ(r.size[1], 6);
+  // Positions, axes of hands (2) and feet (3), hips, equilibrium of all coordinates.
+  EXPECT_EQ(r.size[2], 4 * 3 + 2 * 2 + 2 * 3 + 3 + 55);
+  EXPECT_EQ(r.size[3], 6);  // no axis points the other way
+}
+
 TEST(Santos, RandomStartsSucceed) {
   posture::Task t = task("santos_trial2_obj3");
   t.search.random = true;

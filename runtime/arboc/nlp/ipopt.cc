@@ -7,6 +7,8 @@
 #include <coin/IpTNLP.hpp>
 #endif
 
+#include <dlfcn.h>
+
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -186,6 +188,9 @@ class Adapter : public Ipopt::TNLP {
   Clock::time_point begin_ = Clock::now();
 };
 
+/// How far a warm start is kept off its bounds, in units of the scales.
+constexpr double kWarmPush = 1e-6;
+
 void set_options(Ipopt::IpoptApplication& app, const SolverOptions& options) {
   Ipopt::OptionsList& o = *app.Options();
   o.SetIntegerValue("print_level", options.print_level);
@@ -202,12 +207,17 @@ void set_options(Ipopt::IpoptApplication& app, const SolverOptions& options) {
   o.SetStringValue("fixed_variable_treatment", "make_parameter");
   if (!options.warm) return;
   o.SetStringValue("warm_start_init_point", "yes");
-  o.SetStringValue("mu_strategy", "monotone");
-  o.SetNumericValue("mu_init", options.warm_barrier);
   for (const char* push :
        {"warm_start_bound_push", "warm_start_bound_frac", "warm_start_slack_bound_push",
         "warm_start_slack_bound_frac", "warm_start_mult_bound_push"})
-    o.SetNumericValue(push, 1e-9);
+    o.SetNumericValue(push, kWarmPush);
+}
+
+/// Which BLAS it is, the system decides when the program starts.
+void set_blas_threads(int threads) {
+  using Set = void (*)(int);
+  static const auto set = reinterpret_cast<Set>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
+  if (set) set(threads);
 }
 
 const char* words(Ipopt::ApplicationReturnStatus status) {
@@ -241,6 +251,7 @@ Solution solve(Nlp& nlp, std::vector<double> x, const SolverOptions& options) {
       new Ipopt::IpoptApplication(options.print_level > 0);
   app->RethrowNonIpoptException(true);
   set_options(*app, options);
+  set_blas_threads(options.blas_threads);
   if (app->Initialize("") != Ipopt::Solve_Succeeded)
     throw std::runtime_error("Ipopt cannot be initialised");
   const Ipopt::SmartPtr<Ipopt::TNLP> adapter = new Adapter(nlp, options, solution);

@@ -37,10 +37,12 @@ struct SolverOptions {
   int max_iterations = 500;
   double max_seconds = 60;
   double objective_scale = 1;  ///< what counts as 1 of the objective
-  int print_level = 0;         ///< Ipopt's
+  /// Of OpenBLAS, where that is Ipopt's BLAS: on problems of some hundred variables more threads
+  /// only wait for each other.
+  int blas_threads = 1;
+  int print_level = 0;  ///< Ipopt's
   /// Given: start from these multipliers too, close to the bounds that are active.
   const Multipliers* warm = nullptr;
-  double warm_barrier = 1e-6;  ///< the barrier's weight with which a warm start begins
   std::function<bool(const Progress&)> go_on = {};  ///< false stops
 };
 
