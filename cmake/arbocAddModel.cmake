@@ -1,5 +1,5 @@
 # arboc_add_model(NAME MODEL file.urdf [FUNCTIONS f...] [BASE fixed|floating] [TARGETS cpp c]
-#                 [OPTIONS o...] [DEPENDS file...] [SELFTEST])
+#                 [SCALARS s...] [OPTIONS o...] [DEPENDS file...] [SELFTEST])
 #
 # Compiles a model when the project is built, and gives the target NAME::NAME: link it and include
 # <NAME/NAME.hpp>; of TARGETS c NAME::c and <NAME/NAME_casadi.h>.
@@ -9,6 +9,7 @@
 #   BASE       how the root link is attached to the world: --base
 #   TARGETS    languages: --target; cpp is the default
 #   OPTIONS    any other options of `arboc compile`: --frames flange --jacobian rnea.tau:q
+#   SCALARS    float, double8, float16 ...: a translation unit for each besides that for double
 #   DEPENDS    further files on which the result depends
 #   SELFTEST   builds the self-test as well and adds it to CTest
 #
@@ -52,7 +53,7 @@ endfunction()
 
 # NAME::NAME of the sources that end in .cpp, but for the self-test.
 function(arboc_add_cpp name include files)
-  list(FILTER files INCLUDE REGEX "_double\\.cpp$")
+  list(FILTER files INCLUDE REGEX "_(double|float)[0-9]*\\.cpp$")
   add_library(${name} STATIC ${files})
   add_library(${name}::${name} ALIAS ${name})
   target_compile_features(${name} PUBLIC cxx_std_17)
@@ -101,7 +102,8 @@ endmacro()
 
 function(arboc_add_model name)
   include("${CMAKE_CURRENT_FUNCTION_LIST_DIR}/arbocFiles.cmake")
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SELFTEST" "MODEL;BASE" "FUNCTIONS;TARGETS;OPTIONS;DEPENDS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SELFTEST" "MODEL;BASE"
+                        "FUNCTIONS;TARGETS;SCALARS;OPTIONS;DEPENDS")
   arboc_check_arguments()
   if(NOT arg_TARGETS)
     set(arg_TARGETS cpp)
@@ -110,6 +112,12 @@ function(arboc_add_model name)
   set(folder "${include}/${name}")
   arboc_function_names("${arg_FUNCTIONS}" "${arg_OPTIONS}" functions)
   arboc_files(${name} "${functions}" "${arg_TARGETS}" files)
+  foreach(scalar IN LISTS arg_SCALARS)
+    foreach(function IN LISTS functions)
+      list(APPEND files ${name}_${function}_${scalar}.cpp)
+    endforeach()
+  endforeach()
+  list(REMOVE_DUPLICATES files)
   list(TRANSFORM files PREPEND "${folder}/")
 
   set(command compile "${model}" --name ${name} -o "${include}")
@@ -123,6 +131,10 @@ function(arboc_add_model name)
   if(NOT arg_TARGETS STREQUAL "cpp")
     list(JOIN arg_TARGETS "," list)
     list(APPEND command --target ${list})
+  endif()
+  if(arg_SCALARS)
+    list(JOIN arg_SCALARS "," list)
+    list(APPEND command --scalars ${list})
   endif()
   list(APPEND command ${arg_OPTIONS})
   # A file that changes with the command, for generators that do not look at it.

@@ -1,7 +1,8 @@
 # What arboc knows and writes, for builds that must name files before they exist.  A test compares
 # these lists with the program (tests/embed).
 
-set(ARBOC_RUNTIME_HEADERS angles.hpp batch.hpp lanes.hpp pack.hpp pack_math.hpp rows.hpp scalar.hpp team.hpp)
+set(ARBOC_RUNTIME_HEADERS angles.hpp batch.hpp lanes.hpp math.hpp pack.hpp pack_math.hpp rows.hpp
+    scalar.hpp team.hpp)
 set(ARBOC_C_RUNTIME_HEADERS casadi.h scalar.h)
 
 # `--functions dynamics`, which is the default, and `--functions all`.

@@ -33,8 +33,8 @@ void put_in_lanes(const Request& request, const Setup& setup, CompiledFunction& 
     if (!setup.simplify.frames && lowering.frames != f.lowering.frames) continue;
     std::optional<Graph> traced = trace_in_lanes(request, setup, lowering, f.patterns);
     if (!traced) continue;
-    Graph graph = run_passes(std::move(*traced), setup.simplify.fuse);
-    Program program = schedule(graph);
+    Graph graph = run_passes(std::move(*traced), {setup.simplify.dead, setup.simplify.fuse});
+    Program program = schedule(graph, {setup.max_function_size});
     if (program.ops.cost() >= least) continue;
     least = program.ops.cost();
     f.lanes = {lowering, std::move(graph), std::move(program)};
@@ -81,8 +81,8 @@ CompiledFunction compile_function(const Request& request, const Setup& setup) {
     lowering.regroup = lowering.regroup && setup.simplify.regroup;
     Traced traced = trace_of(request, setup, lowering);
     refuse_overflow(traced.graph, request, setup);
-    Graph graph = run_passes(std::move(traced.graph), setup.simplify.fuse);
-    Program program = schedule(graph);
+    Graph graph = run_passes(std::move(traced.graph), {setup.simplify.dead, setup.simplify.fuse});
+    Program program = schedule(graph, {setup.max_function_size});
     if (!first && program.ops.total() >= best.program.ops.total()) continue;
     first = false;
     best = {
@@ -195,8 +195,11 @@ void add_changed(const FunctionOptions& options, std::vector<std::string>& chang
   if (!options.simplify.frames) without.emplace_back("frames");
   if (!options.simplify.regroup) without.emplace_back("regroup");
   if (!options.simplify.fuse) without.emplace_back("fuse");
+  if (!options.simplify.dead) without.emplace_back("dead");
   if (!options.simplify.limbs) without.emplace_back("limbs");
   add("without", without);
+  if (options.max_function_size != FunctionOptions().max_function_size)
+    changed.push_back(fmt::format("--max-function-size {}", options.max_function_size));
   if (options.iterated) changed.emplace_back("--iterated");
 }
 
@@ -219,6 +222,10 @@ std::vector<std::string> changed_options(const CompileOptions& compile_options) 
   add_changed(compile_options.function, changed);
   if (compile_options.targets.c)
     changed.emplace_back(compile_options.targets.cpp ? "--target cpp,c" : "--target c");
+  std::vector<std::string> scalars;
+  for (const Scalar& scalar : compile_options.scalars)
+    if (scalar.name != "double") scalars.push_back(scalar.name);
+  if (!scalars.empty()) changed.push_back(fmt::format("--scalars {}", fmt::join(scalars, ",")));
   return changed;
 }
 
@@ -311,6 +318,7 @@ TargetModel target(const Compilation& compilation, const CompileOptions& options
   target.source_file = model.file;
   target.source_sha256 = model.source_sha256;
   target.options = changed_options(options);
+  target.scalars = options.scalars;
   describe_joints(model, target);
   for (const CompiledFunction& f : compilation.functions) {
     target.functions.push_back({text(f.request), f.signature, f.patterns, f.program, {}});

@@ -21,7 +21,8 @@ struct CompileOptions {
   FunctionOptions function;
   std::vector<Request> requests;  ///< in the order of emission
   Targets targets;
-  int max_dof = 512;              ///< refuse larger models
+  std::vector<Scalar> scalars{Scalar{}};  ///< double among them
+  int max_dof = 512;                      ///< refuse larger models
   /// Functions that the model cannot have are left out with a warning, unless these are all.
   bool leave_out_absent = false;
 };

@@ -179,8 +179,9 @@ Signature jacobian_signature(const Signature& s) {
   return jacobian;
 }
 
-void keep_smaller(ExternalFunction& best, bool first, Draft draft, bool fused) {
-  Program program = schedule(run_passes(std::move(draft.graph), fused));
+void keep_smaller(ExternalFunction& best, bool first, Draft draft, const Setup& setup) {
+  const PassOptions passes{setup.simplify.dead, setup.simplify.fuse};
+  Program program = schedule(run_passes(std::move(draft.graph), passes), {setup.max_function_size});
   if (!first && program.ops.total() >= best.program.ops.total()) return;
   best.program = std::move(program);
   best.patterns = std::move(draft.patterns);
@@ -212,9 +213,9 @@ std::vector<ExternalFunction> external_functions(const Request& request, const S
       Draft jacobian = by_recursion.empty() ? differentiated(function, s)
                                             : by_columns(trace({by_recursion}, setup, lowering),
                                                          signature({by_recursion}, setup));
-      keep_smaller(out[1], first, std::move(jacobian), setup.simplify.fuse);
+      keep_smaller(out[1], first, std::move(jacobian), setup);
     }
-    keep_smaller(out[0], first, function, setup.simplify.fuse);
+    keep_smaller(out[0], first, function, setup);
     first = false;
   }
   return out;

@@ -59,6 +59,7 @@ void add_compile(CLI::App& app, Arguments& args) {
       sub->add_option("--print", args.stage, "print a stage to stdout instead of the summary")
           ->check(quiet(CLI::IsMember({"model", "tree", "limbs", "graph", "program"})))
           ->type_name("model|tree|limbs|graph|program");
+  add_scalar_option(*sub, args.common);
   sub->callback([out, print] {
     if (out->count() == 0 && print->count() == 0)
       throw CLI::RequiredError("-o DIR (or --print STAGE)");

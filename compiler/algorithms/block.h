@@ -6,8 +6,8 @@
 
 namespace arboc {
 
-inline void enter_block(const double* /*inputs*/, const std::string& /*link*/,
-                        const char* /*phase*/) {}
+template <class T>
+void enter_block(const T* /*inputs*/, const std::string& /*link*/, const char* /*phase*/) {}
 
 /// Work that follows is not to be mixed with what came before: nothing else fixes the order within
 /// a block (graph/canonical.h).

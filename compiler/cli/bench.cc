@@ -196,7 +196,8 @@ std::vector<BenchRow> time_generic(const Common& common, const Compilation& comp
   Files files;
   for (const auto& [path, bytes] : emit(target)) files[target.name + "/" + path] = bytes;
   for (const std::string& name : embedded_names("generic/")) files[name.substr(8)] = embedded(name);
-  files["arboc/scalar.hpp"] = embedded("runtime/arboc/scalar.hpp");
+  for (const char* header : {"arboc/math.hpp", "arboc/scalar.hpp"})
+    files[header] = embedded(fmt::format("runtime/{}", header));
   files["driver.cpp"] = driver(target, compilation);
   const Library library(build_library(common, folder.path(), files, {"driver.cpp"}));
 

@@ -59,6 +59,8 @@ struct Common {
 void add_model_options(CLI::App& app, Common& common);
 void add_function_option(CLI::App& app, Common& common);
 void add_compiler_options(CLI::App& app, Common& common);
+/// --scalars: for what emitted functions are compiled.
+void add_scalar_option(CLI::App& app, Common& common);
 
 /// --jacobian, --gradient, --vjp and --hessian, which add to the requests, and what requests share.
 void add_request_options(CLI::App& app, Common& common);

@@ -1,7 +1,9 @@
 // arboc compile MODEL -o DIR: writes DIR/NAME/.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
+#include <sstream>
 
 #include "cli/common.h"
 #include "cli/output.h"
@@ -32,7 +34,33 @@ void print_stage(const Compilation& compilation, const std::string& stage) {
   }
 }
 
+/// "double", "float8": a pack of 8 floats.
+Scalar parse_scalar(const std::string& word) {
+  for (const char* base : {"double", "float"})
+    for (const int lanes : {1, 2, 4, 8, 16})
+      if (word == base + (lanes > 1 ? std::to_string(lanes) : "")) return {word, base, lanes};
+  throw CLI::ValidationError(
+      "--scalars",
+      "expected double or float, with 2, 4, 8 or 16 behind it of packs, not " + printable(word));
+}
+
 }  // namespace
+
+void add_scalar_option(CLI::App& app, Common& common) {
+  app.add_option_function<std::string>(
+         "--scalars",
+         [&common](const std::string& list) {
+           std::vector<Scalar> scalars{Scalar{}};
+           std::istringstream in(list);
+           for (std::string word; std::getline(in, word, ',');)
+             if (word != "double") scalars.push_back(parse_scalar(word));
+           common.compile.scalars = scalars;
+         },
+         "translation units of each function besides that for double: float, or packs, double8, "
+         "float16")
+      ->type_name("LIST")
+      ->group("Functions");
+}
 
 int run_compile(const Common& common, const std::string& out, const std::string& stage) {
   CompileOptions options = common.compile;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -43,18 +44,18 @@ Lock parse_lock(const std::string& text) {
 
 Simplifications parse_without(const std::string& list) {
   Simplifications simplify;
+  const std::pair<const char*, bool*> known[] = {{"frames", &simplify.frames},
+                                                 {"regroup", &simplify.regroup},
+                                                 {"fuse", &simplify.fuse},
+                                                 {"dead", &simplify.dead},
+                                                 {"limbs", &simplify.limbs}};
   for (const std::string& word : split(list)) {
-    if (word == "frames")
-      simplify.frames = false;
-    else if (word == "regroup")
-      simplify.regroup = false;
-    else if (word == "fuse")
-      simplify.fuse = false;
-    else if (word == "limbs")
-      simplify.limbs = false;
-    else
+    const auto* const found = std::find_if(std::begin(known), std::end(known),
+                                           [&](const auto& k) { return word == k.first; });
+    if (found == std::end(known))
       throw UsageError(unknown("--without", "there is no simplification", word,
-                               {"frames", "regroup", "fuse", "limbs"}));
+                               {"frames", "regroup", "fuse", "dead", "limbs"}));
+    *found->second = false;
   }
   return simplify;
 }
@@ -261,8 +262,15 @@ void add_request_options(CLI::App& app, Common& common) {
       ->group("Functions");
   app.add_option_function<std::string>(
          "--without", [&f](const std::string& given) { f.simplify = parse_without(given); },
-         "simplifications to leave out, to see what they are worth: frames, regroup, fuse, limbs")
+         "simplifications to leave out, to see what they are worth: frames, regroup, fuse, dead, "
+         "limbs")
       ->type_name("LIST")
+      ->group("Functions");
+  app.add_option("--max-function-size", f.max_function_size,
+                 "operations after which emitted code begins another function")
+      ->check(count())
+      ->capture_default_str()
+      ->type_name("N")
       ->group("Functions");
   list("--parameters", f.parameters, "LIST",
        "numbers that stay inputs: gravity, masses, centres, inertias, lengths, or of one link or "

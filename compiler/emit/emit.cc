@@ -33,19 +33,29 @@ std::string banner(const TargetModel& model) {
 
 namespace {
 
+/// The translation unit of one function and scalar.
+std::string instantiation(const TargetModel& model, const TargetFunction& f, const Scalar& scalar) {
+  return fill("cpp/NAME_FUNCTION_SCALAR.cpp",
+              {{"banner", banner(model)},
+               {"name", model.name},
+               {"function", f.signature.name},
+               {"includes", scalar.lanes > 1 ? "#include \"arboc/pack.hpp\"\n" : ""},
+               {"scalar", scalar.type()},
+               {"result", result_type(f, scalar.type())},
+               {"parameters", parameters(f, scalar.type())}});
+}
+
 void add_cpp(const TargetModel& model, Files& files, std::string& targets) {
   const std::string& name = model.name;
   std::string sources;
   for (const TargetFunction& f : model.functions) {
     const std::string stem = name + "_" + f.signature.name;
     files[stem + ".hpp"] = function_header(model, f);
-    files[stem + "_double.cpp"] =
-        fill("cpp/NAME_FUNCTION_double.cpp", {{"banner", banner(model)},
-                                              {"name", name},
-                                              {"function", f.signature.name},
-                                              {"result", result_type(f, "double")},
-                                              {"parameters", parameters(f, "double")}});
-    sources += fmt::format("{}  {}_double.cpp", sources.empty() ? "" : "\n", stem);
+    for (const Scalar& scalar : model.scalars) {
+      const std::string file = fmt::format("{}_{}.cpp", stem, scalar.name);
+      files[file] = instantiation(model, f, scalar);
+      sources += fmt::format("{}  {}", sources.empty() ? "" : "\n", file);
+    }
   }
   files[name + "_raw.hpp"] = raw_header(model);
   files[name + ".hpp"] = eigen_header(model);
@@ -75,6 +85,10 @@ void add_runtime(const TargetModel& model, Files& files) {
 }
 
 }  // namespace
+
+std::string Scalar::type() const {
+  return lanes > 1 ? fmt::format("arboc::Pack<{}, {}>", base, lanes) : base;
+}
 
 Files emit(const TargetModel& model) {
   Files files;

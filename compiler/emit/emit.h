@@ -4,9 +4,10 @@
 
 namespace arboc {
 
-/// The folder: in C++ NAME_raw.hpp, NAME_<function>.hpp and _double.cpp, NAME.hpp, NAME_batch.hpp,
-/// NAME_selftest.cpp; in C NAME_casadi.h, NAME_<function>.c and jac_NAME_<function>.c; beside them
-/// CMakeLists.txt, arboc/*, manifest.json.  The same bytes for the same model, options and version.
+/// The folder: in C++ NAME_raw.hpp, NAME_<function>.hpp and _<scalar>.cpp, NAME.hpp,
+/// NAME_batch.hpp, NAME_selftest.cpp; in C NAME_casadi.h, NAME_<function>.c and
+/// jac_NAME_<function>.c; beside them CMakeLists.txt, arboc/*, manifest.json.  The same bytes for
+/// the same model, options and version.
 Files emit(const TargetModel& model);
 
 /// manifest.json: version, model, options, conventions, functions with shapes, units, sparsity and

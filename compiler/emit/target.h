@@ -75,7 +75,7 @@ struct TargetFunction {
 
 /// A function of the C interface: what CasADi calls an external function.
 struct ExternalFunction {
-  std::string name;     ///< in the model's name space: rnea
+  std::string name;       ///< in the model's name space: rnea
   bool jacobian = false;  ///< it is the Jacobian of that function
   /// Inputs are dense; those behind the program's, the function's outputs in a Jacobian, are not
   /// looked at.
@@ -105,6 +105,14 @@ struct ParameterTable {
   std::vector<double> nominal;      ///< as the model has them
 };
 
+/// What T is in a translation unit of its own.
+struct Scalar {
+  std::string name = "double";  ///< in file names and options: double, float, double8, float16 ...
+  std::string base = "double";
+  int lanes = 1;
+  std::string type() const;  ///< double, arboc::Pack<float, 16> ...
+};
+
 struct TargetModel {
   std::string name;         ///< identifier: namespace, file prefix
   std::string source_file;  ///< base name
@@ -123,9 +131,10 @@ struct TargetModel {
   std::vector<TargetFunction> functions;
   bool cpp = true;                          ///< emit the functions in C++
   std::vector<ExternalFunction> externals;  ///< what is emitted in C
-  std::vector<Recording> recordings;  ///< for the selftest
-  double step = 1e-4;                 ///< s, of the recordings
-  std::string manifest_extra;         ///< JSON text of the members that only the front knows
+  std::vector<Scalar> scalars{Scalar{}};    ///< for which functions are compiled
+  std::vector<Recording> recordings;        ///< for the selftest
+  double step = 1e-4;                       ///< s, of the recordings
+  std::string manifest_extra;               ///< JSON text of the members that only the front knows
 };
 
 }  // namespace arboc

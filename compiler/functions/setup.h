@@ -16,6 +16,7 @@ struct Simplifications {
   bool regroup = true;  ///< inertial parameters move to where they need fewer operations
   bool fuse = true;     ///< sums of products become chains of fused multiply-adds
   bool limbs = true;    ///< isomorphic limbs go in the lanes of vectors where that pays
+  bool dead = true;     ///< what no output needs is removed
 };
 
 /// What all functions of one compilation share, as the user wrote it.
@@ -30,6 +31,7 @@ struct FunctionOptions {
   /// turns about several of them; otherwise second derivatives of f(q (+) d).
   bool iterated = false;
   Simplifications simplify;
+  int max_function_size = 250;  ///< operations after which emitted code begins another function
 };
 
 struct Setup {
@@ -43,6 +45,7 @@ struct Setup {
   std::vector<Parameter> parameters;
   bool iterated = false;
   Simplifications simplify;
+  int max_function_size = 250;
   int nq = 0, nv = 0;
 };
 

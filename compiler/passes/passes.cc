@@ -11,9 +11,9 @@ const std::array<Pass, 3> kPasses = {{
     {"remove dead nodes", remove_dead},
 }};
 
-Graph run_passes(Graph graph, bool fused) {
+Graph run_passes(Graph graph, const PassOptions& options) {
   for (const Pass& pass : kPasses) {
-    if (pass.run == fuse && !fused) continue;
+    if (pass.run == fuse ? !options.fuse : !options.dead) continue;
     graph = pass.run(graph);
     verify(graph);
   }

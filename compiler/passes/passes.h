@@ -12,7 +12,12 @@ struct Pass {
 };
 extern const std::array<Pass, 3> kPasses;
 
-/// Runs all of them, verifying the graph after each; without `fused`, all but the fusing of sums.
-Graph run_passes(Graph graph, bool fused = true);
+struct PassOptions {
+  bool dead = true;  ///< remove dead nodes
+  bool fuse = true;  ///< fuse sums of products
+};
+
+/// Runs them, verifying the graph after each; all but those that the options leave out.
+Graph run_passes(Graph graph, const PassOptions& options = {});
 
 }  // namespace arboc

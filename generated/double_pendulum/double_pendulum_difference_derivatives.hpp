@@ -9,9 +9,9 @@ namespace raw {
 namespace difference_derivatives_parts {
 
 using arboc::sincos;
-using std::cos;
-using std::sin;
-using std::sqrt;
+using arboc::math::cos;
+using arboc::math::sin;
+using arboc::math::sqrt;
 
 }  // namespace difference_derivatives_parts
 

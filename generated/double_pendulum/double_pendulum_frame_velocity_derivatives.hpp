@@ -9,9 +9,9 @@ namespace raw {
 namespace frame_velocity_derivatives_parts {
 
 using arboc::sincos;
-using std::cos;
-using std::sin;
-using std::sqrt;
+using arboc::math::cos;
+using arboc::math::sin;
+using arboc::math::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void angles(const T* ARBOC_RESTRICT q, T* ARBOC_RESTRICT w) noexcept {

@@ -9,9 +9,9 @@ namespace raw {
 namespace integrate_parts {
 
 using arboc::sincos;
-using std::cos;
-using std::sin;
-using std::sqrt;
+using arboc::math::cos;
+using arboc::math::sin;
+using arboc::math::sqrt;
 
 template <class T>
 ARBOC_NOINLINE void part0(const T* ARBOC_RESTRICT q, const T* ARBOC_RESTRICT v, T* ARBOC_RESTRICT q_next) noexcept {

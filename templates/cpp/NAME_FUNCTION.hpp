@@ -8,9 +8,9 @@ namespace raw {
 namespace @function@_parts {
 
 using arboc::sincos;
-using std::cos;
-using std::sin;
-using std::sqrt;
+using arboc::math::cos;
+using arboc::math::sin;
+using arboc::math::sqrt;
 
 @parts@}  // namespace @function@_parts
 

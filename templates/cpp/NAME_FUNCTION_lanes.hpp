@@ -8,9 +8,9 @@ namespace raw {
 namespace @function@_parts {
 
 using arboc::sincos;
-using std::cos;
-using std::sin;
-using std::sqrt;
+using arboc::math::cos;
+using arboc::math::sin;
+using arboc::math::sqrt;
 
 @parts@}  // namespace @function@_parts
 
@@ -25,7 +25,7 @@ template <class T>
 namespace @function@_lanes {
 
 using arboc::sincos;
-using std::sqrt;
+using arboc::math::sqrt;
 
 @lane_parts@}  // namespace @function@_lanes
 

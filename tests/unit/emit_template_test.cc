@@ -6,12 +6,14 @@
 namespace arboc::test {
 namespace {
 
-constexpr const char* kTemplate = "cpp/NAME_FUNCTION_double.cpp";
+constexpr const char* kTemplate = "cpp/NAME_FUNCTION_SCALAR.cpp";
 
 std::map<std::string, std::string> values() {
   return {{"banner", "// head"},
           {"name", "arm"},
           {"function", "rnea"},
+          {"includes", "// more\n"},
+          {"scalar", "double"},
           {"result", "void"},
           {"parameters", "const double* q, double* @tau@"}};
 }
@@ -28,7 +30,7 @@ std::string complaint(const std::string& name, const std::map<std::string, std::
 
 TEST(Fill, ReplacesNamesAndNothingElse) {
   EXPECT_EQ(fill(kTemplate, values()),
-            "// head\n#include \"arm_rnea.hpp\"\n\n#include \"arm_raw.hpp\"\n\n"
+            "// head\n#include \"arm_rnea.hpp\"\n\n#include \"arm_raw.hpp\"\n// more\n\n"
             "template void arm::raw::rnea<double>(const double* q, double* @tau@) noexcept;\n");
 }
 
@@ -36,14 +38,14 @@ TEST(Fill, NamesWhatIsMissing) {
   auto given = values();
   given.erase("result");
   EXPECT_EQ(complaint(kTemplate, given),
-            "template cpp/NAME_FUNCTION_double.cpp: no value for @result@");
+            "template cpp/NAME_FUNCTION_SCALAR.cpp: no value for @result@");
 }
 
 TEST(Fill, NamesWhatIsNotUsed) {
   auto given = values();
   given["results"] = "int";
   EXPECT_EQ(complaint(kTemplate, given),
-            "template cpp/NAME_FUNCTION_double.cpp: @results@ is not used");
+            "template cpp/NAME_FUNCTION_SCALAR.cpp: @results@ is not used");
 }
 
 TEST(Fill, NamesTheTemplateThatDoesNotExist) {
@@ -52,7 +54,7 @@ TEST(Fill, NamesTheTemplateThatDoesNotExist) {
 
 TEST(Embedded, ListsByPrefix) {
   const auto names = embedded_names("runtime/");
-  EXPECT_EQ(names.size(), 10u);
+  EXPECT_EQ(names.size(), 11u);
   EXPECT_EQ(names.front(), "runtime/arboc/angles.hpp");
   EXPECT_EQ(embedded_names("generic/").size(), 39u);
   EXPECT_TRUE(embedded_names("nothing/").empty());

@@ -23,7 +23,7 @@ TEST_P(LaneRules, Rewrite) {
   const std::string head = "region f\nin q 4\nin v 2\n";
   const Graph graph = parse(head + GetParam().before);
   verify(graph);
-  const std::string text = print(run_passes(graph, false));
+  const std::string text = print(run_passes(graph, {.fuse = false}));
   EXPECT_EQ(text, head + GetParam().after) << GetParam().before;
   EXPECT_EQ(print(parse(text)), text);
 }

@@ -7,7 +7,6 @@
 #ifndef ARBOC_PACK_HPP
 #define ARBOC_PACK_HPP
 
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -239,7 +238,7 @@ ARBOC_INLINE Pack<S, N> sqrt(const Pack<S, N>& x) {
     return root;
   } else {
     Pack<S, N> root;
-    for (int lane = 0; lane < N; ++lane) root.set(lane, std::sqrt(x[lane]));
+    for (int lane = 0; lane < N; ++lane) root.set(lane, math::sqrt(x[lane]));
     return root;
   }
 #endif

@@ -105,9 +105,9 @@ ARBOC_INLINE void reduce(const Pack<float, N>& x, Pack<float, N>& y, Mask<float,
 template <class S, int N>
 ARBOC_NOINLINE void large_angles(const Pack<S, N>& x, Pack<S, N>& sine, Pack<S, N>& cosine) {
   for (int lane = 0; lane < N; ++lane) {
-    if (std::fabs(x[lane]) < S(1e5)) continue;
-    sine.set(lane, std::sin(x[lane]));
-    cosine.set(lane, std::cos(x[lane]));
+    if (math::fabs(x[lane]) < S(1e5)) continue;
+    sine.set(lane, math::sin(x[lane]));
+    cosine.set(lane, math::cos(x[lane]));
   }
 }
 
@@ -137,8 +137,8 @@ template <class S, int N>
 inline void sincos(const Pack<S, N>& x, Pack<S, N>& sine, Pack<S, N>& cosine) noexcept {
   for (int lane = 0; lane < N; ++lane) {
     const S angle = x[lane];
-    sine.set(lane, std::sin(angle));
-    cosine.set(lane, std::cos(angle));
+    sine.set(lane, math::sin(angle));
+    cosine.set(lane, math::cos(angle));
   }
 }
 

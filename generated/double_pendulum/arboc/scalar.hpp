@@ -7,10 +7,11 @@
 #ifndef ARBOC_SCALAR_HPP
 #define ARBOC_SCALAR_HPP
 
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+
+#include "math.hpp"
 
 #if defined(__GNUC__)
 #define ARBOC_RESTRICT __restrict__
@@ -26,8 +27,8 @@ inline namespace v1 {
 /// Sine and cosine of x (rad).
 template <class T>
 inline void sincos(const T& x, T& sine, T& cosine) {
-  using std::cos;
-  using std::sin;
+  using math::cos;
+  using math::sin;
   sine = sin(x);
   cosine = cos(x);
 }
@@ -61,9 +62,9 @@ inline double select(std::uint64_t mask, double if_set, double if_clear) {
 /// infinity, the C library's.  Reduction by pi/2 to y + z with 2 * 53 bits (x - n P1 is exact with
 /// a fused multiply-add), then the minimax polynomials of fdlibm's kernel functions.
 inline void sincos(const double& x, double& sine, double& cosine) noexcept {
-  if (!(std::fabs(x) < 1e5)) {
-    sine = std::sin(x);
-    cosine = std::cos(x);
+  if (!(math::fabs(x) < 1e5)) {
+    sine = math::sin(x);
+    cosine = math::cos(x);
     return;
   }
   constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
@@ -71,14 +72,14 @@ inline void sincos(const double& x, double& sine, double& cosine) noexcept {
                    kP3 = -0x1.f1976b7ed8fbcp-110;
   constexpr double kRound = 0x1.8p52;
 
-  const double t = std::fma(x, kTwoOverPi, kRound);
+  const double t = math::fma(x, kTwoOverPi, kRound);
   std::uint64_t quadrant;
   std::memcpy(&quadrant, &t, sizeof quadrant);
   const double n = t - kRound;
-  const double r = std::fma(-n, kP1, x);
+  const double r = math::fma(-n, kP1, x);
   const double p = n * kP2;
   const double y = r - p;
-  const double z = ((r - y) - p) - std::fma(n, kP2, -p) - n * kP3;
+  const double z = ((r - y) - p) - math::fma(n, kP2, -p) - n * kP3;
 
   const double y2 = y * y;
   const double y3 = y2 * y;
@@ -107,8 +108,8 @@ inline void sincos(const double& x, double& sine, double& cosine) noexcept {
 #else
 
 inline void sincos(const double& x, double& sine, double& cosine) noexcept {
-  sine = std::sin(x);
-  cosine = std::cos(x);
+  sine = math::sin(x);
+  cosine = math::cos(x);
 }
 
 #endif
@@ -126,8 +127,8 @@ constexpr double inverse_factorial(int n) {
 /// sum a_n u^n, a_n = n / (2 n + 1) a_(n-1).
 template <class T>
 inline T arc_ratio(const T& w) {
-  using std::acos;
-  using std::sqrt;
+  using math::acos;
+  using math::sqrt;
   const T u = T(1) - w;
   if (!(u < T(0.02))) return acos(w) / sqrt(u * (T(1) + w));
   T sum(1);
@@ -181,7 +182,7 @@ struct Rotations {
       const T half = stumpff<1>(T(0.25) * x);
       return T(0.5) * half * half;
     } else {
-      using std::sqrt;
+      using math::sqrt;
       const T root = sqrt(x);
       T sine, cosine;
       sincos(root, sine, cosine);
