@@ -29,6 +29,8 @@ struct Arguments {
   bool in_lanes = false;
   bool compiling = false;
   std::string lanes;
+  bool with_peers = false;
+  PeerOptions peers;
 };
 
 Targets parse_targets(const std::string& list) {
@@ -160,8 +162,12 @@ void add_bench(CLI::App& app, Arguments& args) {
       ->expected(0, 1)
       ->type_name("[N[f],...]")
       ->default_str("");
-  sub->callback([sub, &args] { args.in_lanes = sub->count("--lanes") > 0; });
+  sub->callback([sub, &args] {
+    args.in_lanes = sub->count("--lanes") > 0;
+    args.with_peers = sub->count("--peers") > 0;
+  });
   add_compiler_options(*sub, args.common);
+  add_peer_options(*sub, args.peers);
 }
 
 int dispatch(const CLI::App& app, const Arguments& args) {
@@ -172,6 +178,8 @@ int dispatch(const CLI::App& app, const Arguments& args) {
     return run_check_folder(args.common, args.folder);
   if (app.got_subcommand("check")) return run_check(args.common, args.states);
   if (args.compiling) return run_bench_compile(args.common);
+  if (args.with_peers)
+    return run_bench_peers(args.common, args.peers, args.in_lanes ? &args.lanes : nullptr);
   if (args.in_lanes) return run_bench_lanes(args.common, args.lanes);
   return run_bench(args.common);
 }

@@ -12,14 +12,6 @@
 namespace arboc::cli {
 namespace {
 
-constexpr int kStates = 32;  // a multiple of all lanes
-
-struct Lanes {
-  int count = 0;
-  bool single = false;  ///< float instead of double
-  std::string text() const { return fmt::format("{}{}", count, single ? "f" : ""); }
-};
-
 std::vector<Lanes> parse_lanes(const std::string& list) {
   std::vector<Lanes> lanes;
   std::istringstream in(list);
@@ -41,58 +33,56 @@ std::vector<Lanes> parse_lanes(const std::string& list) {
 /// of lanes within packs and from and to arrays.
 struct Timing {
   std::vector<double> ns, difference;
+  double generic = 0;  ///< 0 where there is none
 };
 
 std::string driver(const TargetModel& target, const std::vector<Lanes>& lanes) {
   std::string includes, variants, cases;
   for (const Lanes& l : lanes)
     variants +=
-        fmt::format("  passes.template add<{}, {}>();\n", l.single ? "float" : "double", l.count);
+        fmt::format("  passes->template add<{}, {}>();\n", l.single ? "float" : "double", l.count);
   for (size_t k = 0; k < target.functions.size(); ++k) {
     const std::string& f = target.functions[k].signature.name;
     includes += fmt::format("#include \"{0}/{0}_{1}_double.cpp\"\n", target.name, f);
-    cases += fmt::format("    case {}: return bench<{}::{}_fn>(states, in, ns, difference);\n", k,
+    cases += fmt::format("    case {}: ways = ways_of<{}::{}_fn>(states, in); break;\n", k,
                          target.name, f);
   }
-  return fill(
-      "bench/lanes.cpp",
-      {{"name", target.name}, {"includes", includes}, {"variants", variants}, {"cases", cases}});
+  return fill("bench/lanes.cpp", {{"name", target.name},
+                                  {"includes", includes},
+                                  {"variants", variants},
+                                  {"count", fmt::format("{}", target.functions.size())},
+                                  {"cases", cases}});
 }
 
-std::vector<Timing> time_lanes(const Common& common, const Compilation& compilation,
-                               const TargetModel& target, const std::vector<Lanes>& lanes) {
-  const TemporaryFolder folder;
+Library build(const Common& common, const TargetModel& target, const std::vector<Lanes>& lanes,
+              const std::string& folder) {
   Files files;
   for (const auto& [path, bytes] : emit(target)) files[target.name + "/" + path] = bytes;
   files["lanes.cpp"] = driver(target, lanes);
-  const Library library(build_library(common, folder.path(), files, {"lanes.cpp"}));
+  return Library(build_library(common, folder, files, {"lanes.cpp"}));
+}
 
-  using Bench = void (*)(int, int, const double* const*, double*, double*);
-  const auto bench = reinterpret_cast<Bench>(library.symbol("arboc_bench_lanes"));
-  std::vector<Timing> timings;
-  for (size_t k = 0; k < target.functions.size(); ++k) {
-    const CompiledFunction& f = compilation.functions[k];
-    progress(static_cast<int>(k) + 1, static_cast<int>(target.functions.size()),
-             "timing " + f.signature.name + " in lanes");
-    const Samples in = samples(f, compilation.setup, kStates);
-    std::vector<const double*> pointers;
-    for (const auto& x : in.inputs) pointers.push_back(x.data());
-    Timing timing;
-    timing.ns.resize(1 + 2 * lanes.size());
-    timing.difference.resize(timing.ns.size());
-    bench(static_cast<int>(k), kStates, pointers.data(), timing.ns.data(),
-          timing.difference.data());
-    timings.push_back(timing);
+/// Times a function in all ways, the generic one last where there is one.
+Timing time(const LaneWays& ways, const Engines& engines, size_t function) {
+  Timing timing;
+  timing.difference = ways.open(function, engines.inputs(function));
+  std::vector<Pass> passes;
+  for (size_t way = 0; way < timing.difference.size(); ++way)
+    passes.push_back(ways.pass(function, way));
+  if (engines.row(function).has_generic) passes.push_back(engines.generic(function));
+  timing.ns = least_ns(passes, kStates);
+  if (engines.row(function).has_generic) {
+    timing.generic = timing.ns.back();
+    timing.ns.pop_back();
   }
-  progress_done();
-  return timings;
+  return timing;
 }
 
 /// One line a function and kind of lanes, all next to the same function at one state a call.
 void print_text(const BenchRow& row, const Timing& timing, const std::vector<Lanes>& lanes) {
   const auto line = [&](const std::string& kind, double ns, const std::string& arrays,
                         double difference) {
-    const std::string generic = row.generic > 0 ? fmt::format("{:.2f}", row.generic / ns) : "-";
+    const std::string generic = row.has_generic ? fmt::format("{:.2f}", timing.generic / ns) : "-";
     fmt::print("{:<30} {:>6} {:>12.1f} {:>10.2f} {:>10} {:>12} {:>12.1e}\n", row.function, kind, ns,
                timing.ns[0] / ns, generic, arrays, difference);
   };
@@ -106,7 +96,7 @@ nlohmann::ordered_json json_of(const BenchRow& row, const Timing& timing,
                                const std::vector<Lanes>& lanes) {
   nlohmann::ordered_json json{
       {"function", row.function}, {"operations", row.ops}, {"scalar_ns", timing.ns[0]}};
-  if (row.generic > 0) json["generic_ns"] = row.generic;
+  if (row.has_generic) json["generic_ns"] = timing.generic;
   json["lanes"] = nlohmann::ordered_json::array();
   for (size_t k = 0; k < lanes.size(); ++k) {
     const double ns = timing.ns[2 * k + 1];
@@ -116,14 +106,14 @@ nlohmann::ordered_json json_of(const BenchRow& row, const Timing& timing,
                              {"arrays_ns", timing.ns[2 * k + 2]},
                              {"ratio_to_scalar", timing.ns[0] / ns},
                              {"difference", timing.difference[2 * k + 1]}});
-    if (row.generic > 0) json["lanes"].back()["ratio_to_generic"] = row.generic / ns;
+    if (row.has_generic) json["lanes"].back()["ratio_to_generic"] = timing.generic / ns;
   }
   return json;
 }
 
 /// Floats may differ by as much more as they have fewer bits.
 bool agrees(const BenchRow& row, const Timing& timing, const std::vector<Lanes>& lanes) {
-  bool agree = row.difference <= row.allowed;
+  bool agree = row.agrees();
   for (size_t k = 0; k < lanes.size(); ++k)
     agree = agree && timing.difference[2 * k + 1] <= row.allowed * (lanes[k].single ? 0x1p29 : 1);
   return agree;
@@ -131,25 +121,49 @@ bool agrees(const BenchRow& row, const Timing& timing, const std::vector<Lanes>&
 
 }  // namespace
 
+std::string Lanes::text() const { return fmt::format("{}{}", count, single ? "f" : ""); }
+
+LaneWays::LaneWays(const Common& common, const TargetModel& target, const std::string& list)
+    : lanes_(parse_lanes(list.empty() ? "4,8" : list)),
+      library_(build(common, target, lanes_, folder_.path())) {}
+
+std::vector<double> LaneWays::open(size_t function, const std::vector<const double*>& in) const {
+  using Open = const double* (*)(int, int, const double* const*);
+  const auto call = reinterpret_cast<Open>(library_.symbol("arboc_lanes_open"));
+  const double* differences = call(static_cast<int>(function), kStates, in.data());
+  return {differences, differences + 1 + 2 * lanes_.size()};
+}
+
+Pass LaneWays::pass(size_t function, size_t way) const {
+  using Run = void (*)(int, int);
+  const auto call = reinterpret_cast<Run>(library_.symbol("arboc_lanes_pass"));
+  return [=] { call(static_cast<int>(function), static_cast<int>(way)); };
+}
+
 int run_bench_lanes(const Common& common, const std::string& list) {
-  const std::vector<Lanes> lanes = parse_lanes(list.empty() ? "4,8" : list);
   CompileOptions options = common.compile;
   options.requests = requests(common);
   const Compilation compilation = compiled(common, options);
   const TargetModel model = target(compilation, options);
-  const std::vector<BenchRow> rows = time_generic(common, compilation, model);
-  const std::vector<Timing> timings = time_lanes(common, compilation, model, lanes);
+  const Engines engines(common, compilation, model);
+  const LaneWays ways(common, model, list);
+  const std::vector<Lanes>& lanes = ways.lanes();
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   if (!common.json)
     fmt::print("{:<30} {:>6} {:>12} {:>10} {:>10} {:>12} {:>12}\n", "function", "lanes", "ns/state",
                "x scalar", "x generic", "arrays ns", "difference");
   bool agree = true;
-  for (size_t k = 0; k < rows.size(); ++k) {
-    agree = agree && agrees(rows[k], timings[k], lanes);
+  for (size_t k = 0; k < compilation.functions.size(); ++k) {
+    const BenchRow& row = engines.row(k);
+    progress(static_cast<int>(k) + 1, static_cast<int>(compilation.functions.size()),
+             "timing " + row.function + " in lanes");
+    const Timing timing = time(ways, engines, k);
+    progress_done();
+    agree = agree && agrees(row, timing, lanes);
     if (common.json)
-      json.push_back(json_of(rows[k], timings[k], lanes));
+      json.push_back(json_of(row, timing, lanes));
     else
-      print_text(rows[k], timings[k], lanes);
+      print_text(row, timing, lanes);
   }
   if (common.json) fmt::print("{}\n", dump(json, 1));
   flush_stdout();

@@ -149,7 +149,8 @@ void* Library::symbol(const std::string& name) const {
 }
 
 std::string build_library(const Common& common, const std::string& folder, const Files& files,
-                          const std::vector<std::string>& sources) {
+                          const std::vector<std::string>& sources,
+                          const std::vector<std::string>& libraries) {
   write_sources(folder, files);
   const std::vector<std::string> compiler = compiler_command(common);
   std::vector<std::string> link = compiler;
@@ -182,6 +183,7 @@ std::string build_library(const Common& common, const std::string& folder, const
   const std::string library = folder + "/lib.so";
   for (const std::string& word : {std::string("-shared"), std::string("-o"), library})
     link.push_back(word);
+  link.insert(link.end(), libraries.begin(), libraries.end());
   start(jobs, link, library);
   jobs.finish();
   return library;

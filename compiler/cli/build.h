@@ -29,10 +29,11 @@ std::vector<std::string> compiler_command(const Common& common);
 void write_sources(const std::string& folder, const Files& files);
 
 /// Writes `files` to `folder`, compiles `sources` (relative to it) as many at a time as there are
-/// processors, and links them into folder/lib.so.  `-I folder` is given.  Throws
+/// processors, and links them with `libraries` into folder/lib.so.  `-I folder` is given.  Throws
 /// std::runtime_error with the compiler's output.
 std::string build_library(const Common& common, const std::string& folder, const Files& files,
-                          const std::vector<std::string>& sources);
+                          const std::vector<std::string>& sources,
+                          const std::vector<std::string>& libraries = {});
 
 /// The functions of a model as compiled code, called with dense arguments.
 class GeneratedCode {

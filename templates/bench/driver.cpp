@@ -1,8 +1,6 @@
-// Times generated against generic dynamics of @name@: one translation unit, the same flags, the same
-// states, results compared first.
-#include <chrono>
+// Generated and generic dynamics of @name@, to be timed and compared: one translation unit, the same
+// flags, the same states.
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "functions/engine.h"
@@ -23,38 +21,12 @@ arboc::DynamicTree own_tree() {
 @own@  return tree;
 }
 
-double now() {
-  return std::chrono::duration<double, std::nano>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
-
-/// ns per call in one window over all states.
+/// What is timed.
 template <class Call>
-double window(int states, int repeat, double* out, Call& call) {
-  const double start = now();
-  for (int r = 0; r < repeat; ++r)
-    for (int s = 0; s < states; ++s) {
-      call(s, out);
-      asm volatile("" : : "r"(out) : "memory");
-    }
-  return (now() - start) / (static_cast<double>(repeat) * states);
-}
-
-/// The least of many short windows, the three calls in turn.
-template <class A, class B, class C>
-void measure(int states, double* out, A a, B b, C c, double* a_ns, double* b_ns, double* c_ns) {
-  *a_ns = *b_ns = *c_ns = std::numeric_limits<double>::infinity();
-  const double once = window(states, 1, out, b);
-  const int repeat = static_cast<int>(30e3 / (once * states)) + 1;  // windows of some 30 us
-  const double end = now() + 0.25e9;
-  while (now() < end) {
-    const double x = window(states, repeat, out, a);
-    const double y = window(states, repeat, out, b);
-    if (x < *a_ns) *a_ns = x;
-    if (y < *b_ns) *b_ns = y;
-    const double z = window(states, repeat, out, c);
-    if (z < *c_ns) *c_ns = z;
+void pass(int states, double* out, const Call& call) {
+  for (int s = 0; s < states; ++s) {
+    call(s, out);
+    asm volatile("" : : "r"(out) : "memory");
   }
 }
 
@@ -74,14 +46,17 @@ double difference(const double* got, const double* expected, int n, const int* r
 }  // namespace
 
 /// in: the function's inputs at all states; known: its outputs where there is no generic algorithm.
-/// result: ns generated, ns generic, largest relative difference, ns generated without limbs in lanes.
-extern "C" void arboc_bench(int function, int states, const double* const* in, const double* known,
-                            double* result) {
+/// Passes through all states with the generated function (engine 0), the generic one (1) or the
+/// generated one without limbs in lanes (3), or returns the largest relative difference of the first
+/// two (2).
+extern "C" double arboc_bench(int function, int engine, int states, const double* const* in,
+                              const double* known) {
   static_cast<void>(known);
   static const arboc::DynamicTree regrouped_body = regrouped_tree(), own_body = own_tree();
   static Engine regrouped(regrouped_body, @frames@), own(own_body, @frames@);
-  std::vector<double> out(@size@), reference(@size@);
-  result[2] = 0;
+  static std::vector<double> out(@size@), reference(@size@);
+  double worst = 0;
   switch (function) {
 @cases@  }
+  return worst;
 }

@@ -1,10 +1,8 @@
-// Times functions of @name@ at one state and at many in lanes: one translation unit, the same flags,
-// the same states, results compared first.
+// Functions of @name@ at one state and at many in lanes, to be timed and compared: one translation
+// unit, the same flags, the same states.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -13,11 +11,11 @@
 @includes@
 namespace {
 
-double now() {
-  return std::chrono::duration<double, std::nano>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
+/// Ways to pass through all states once, and how far the results of each are from the first one's.
+struct Ways {
+  std::vector<std::function<void()>> passes;
+  std::vector<double> differences;
+};
 
 template <class F, class S>
 std::vector<std::vector<S>> outputs(int states) {
@@ -39,7 +37,7 @@ class Passes {
   Passes(int states, const double* const* in)
       : states_(states), in_(in), expected_(outputs<F, double>(states)) {
     auto out = outputs<F, double>(1);
-    passes_.push_back([this, out]() mutable {
+    ways_.passes.push_back([this, out]() mutable {
       double* to[F::outputs + 1];
       point(out, to);
       for (int s = 0; s < states_; ++s) {
@@ -52,7 +50,7 @@ class Passes {
       for (size_t k = 0; k < F::outputs; ++k) to[k] = expected_[k].data() + s * F::output_size[k];
       scalar(s, to);
     }
-    differences_.push_back(0);
+    ways_.differences.push_back(0);
   }
 
   /// Calls on packs that are there already, results left in packs.
@@ -70,7 +68,7 @@ class Passes {
                           static_cast<size_t>(states_), in[k].data() + b * size);
     }
     auto out = outputs<F, P>(1);
-    passes_.push_back([in, out, blocks]() mutable {
+    ways_.passes.push_back([in, out, blocks]() mutable {
       P* to[F::outputs + 1];
       point(out, to);
       for (int b = 0; b < blocks; ++b) {
@@ -83,24 +81,7 @@ class Passes {
     add_arrays<S, N>();
   }
 
-  void results(double* ns, double* difference) {
-    std::vector<double> best(passes_.size(), std::numeric_limits<double>::infinity());
-    for (auto& pass : passes_) pass();
-    const double once = now();
-    passes_[0]();
-    const int repeat = static_cast<int>(30e3 / (now() - once)) + 1;  // windows of some 30 us
-    const double end = now() + 0.1e9 * static_cast<double>(passes_.size());
-    while (now() < end)
-      for (size_t k = 0; k < passes_.size(); ++k) {
-        const double start = now();
-        for (int r = 0; r < repeat; ++r) passes_[k]();
-        best[k] = std::min(best[k], (now() - start) / (repeat * static_cast<double>(states_)));
-      }
-    for (size_t k = 0; k < passes_.size(); ++k) {
-      ns[k] = best[k];
-      difference[k] = differences_[k];
-    }
-  }
+  const Ways& ways() const { return ways_; }
 
  private:
   void scalar(int s, double* const* out) const {
@@ -124,11 +105,11 @@ class Passes {
     const auto batch = std::make_shared<Batch>();
     const auto in = std::make_shared<std::vector<std::vector<S>>>(inputs<S>());
     const auto out = std::make_shared<std::vector<std::vector<S>>>(outputs<F, S>(states_));
-    passes_.push_back([this, batch, in, out] {
+    ways_.passes.push_back([this, batch, in, out] {
       evaluate(*batch, *in, *out, std::make_index_sequence<F::inputs>(),
                std::make_index_sequence<F::outputs>());
     });
-    passes_.back()();
+    ways_.passes.back()();
     double worst = 0;
     for (size_t k = 0; k < F::outputs; ++k) {
       double scale = 1e-9, error = 0;
@@ -139,7 +120,7 @@ class Passes {
       }
       if (!(error / scale <= worst)) worst = error / scale;
     }
-    differences_.insert(differences_.end(), 2, worst);
+    ways_.differences.insert(ways_.differences.end(), 2, worst);
   }
 
   template <class Batch, class S, size_t... I, size_t... O>
@@ -153,22 +134,34 @@ class Passes {
   int states_;
   const double* const* in_;
   std::vector<std::vector<double>> expected_;
-  std::vector<std::function<void()>> passes_;
-  std::vector<double> differences_;
+  Ways ways_;
 };
 
 template <class F>
-void bench(int states, const double* const* in, double* ns, double* difference) {
-  Passes<F> passes(states, in);
-@variants@  passes.results(ns, difference);
+Ways ways_of(int states, const double* const* in) {
+  static std::unique_ptr<Passes<F>> passes;  // the ways refer to it
+  passes = std::make_unique<Passes<F>>(states, in);
+@variants@  return passes->ways();
+}
+
+std::vector<Ways>& all_ways() {
+  static std::vector<Ways> ways(@count@);
+  return ways;
 }
 
 }  // namespace
 
-/// in: the function's inputs at all states, a multiple of the lanes.  ns per state and relative
-/// difference: of one state a call, then of each kind of lanes within packs and from and to arrays.
-extern "C" void arboc_bench_lanes(int function, int states, const double* const* in, double* ns,
-                                  double* difference) {
+/// in: the function's inputs at all states, a multiple of the lanes; both outlive the passes.
+/// Returns the relative differences: of one state a call, then of each kind of lanes within packs
+/// and from and to arrays.
+extern "C" const double* arboc_lanes_open(int function, int states, const double* const* in) {
+  Ways& ways = all_ways()[static_cast<size_t>(function)];
   switch (function) {
 @cases@  }
+  return ways.differences.data();
+}
+
+/// Goes through all states in that way.
+extern "C" void arboc_lanes_pass(int function, int way) {
+  all_ways()[static_cast<size_t>(function)].passes[static_cast<size_t>(way)]();
 }

@@ -26,7 +26,7 @@ int compare_on_random_models(const PeerKind& peer, const RandomModelOptions& opt
   for (const std::uint64_t seed : seeds(30)) {
     const Model model = random_model(seed, options);
     SCOPED_TRACE("ARBOC_SEED=" + std::to_string(seed) + "\n" + print(model));
-    const std::unique_ptr<Peer> other = peer.make(model);
+    const std::unique_ptr<Peer> other = Peer::make(model, peer.make);
     if (!other) continue;
     ++compared;
     const Reference reference(model);
@@ -35,6 +35,10 @@ int compare_on_random_models(const PeerKind& peer, const RandomModelOptions& opt
       const State x = random_state(model, random);
       expect_close(other->rnea(x.q, x.v, x.a), reference.rnea(x.q, x.v, x.a), peer);
       expect_close(other->crba(x.q), reference.crba(x.q), peer);
+      if (!options.massless && other->has_aba()) {
+        const Eigen::VectorXd a = other->aba(x.q, x.v, x.tau);
+        expect_close(reference.rnea(x.q, x.v, a), x.tau, peer);
+      }
     }
     if (testing::Test::HasFailure()) break;
   }
@@ -53,9 +57,11 @@ TEST_P(ReferencePeer, AgreesOnMassiveLinksWithoutFollowers) {
   RandomModelOptions options;
   options.massless = options.mimic = false;
   EXPECT_GT(compare_on_random_models(GetParam(), options), 0);
+  options.base = Base::kFloating;
+  EXPECT_GT(compare_on_random_models(GetParam(), options), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Peers, ReferencePeer, testing::ValuesIn(peers()),
+INSTANTIATE_TEST_SUITE_P(Peers, ReferencePeer, testing::ValuesIn(peer_kinds()),
                          [](const auto& peer) { return std::string(peer.param.name); });
 
 }  // namespace

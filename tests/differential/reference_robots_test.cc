@@ -33,7 +33,7 @@ double error(const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected) {
 }
 
 void compare(const PeerKind& peer, const Model& model) {
-  const std::unique_ptr<Peer> other = peer.make(model);
+  const std::unique_ptr<Peer> other = Peer::make(model, peer.make);
   if (!other) return;
   const Reference reference(model);
   for (const std::uint64_t seed : seeds(3)) {
@@ -64,7 +64,7 @@ TEST_P(ReferenceRobots, Agree) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Peers, ReferenceRobots, testing::ValuesIn(peers()),
+INSTANTIATE_TEST_SUITE_P(Peers, ReferenceRobots, testing::ValuesIn(peer_kinds()),
                          [](const auto& peer) { return std::string(peer.param.name); });
 
 }  // namespace

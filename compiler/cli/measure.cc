@@ -1,0 +1,43 @@
+#include "cli/measure.h"
+
+#include <time.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "cli/common.h"
+
+namespace arboc::cli {
+namespace {
+
+/// CPU time of this thread, ns: what other programs take is not in it.
+double now() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
+}
+
+}  // namespace
+
+std::vector<double> least_ns(const std::vector<Pass>& passes, int states, double seconds) {
+  std::vector<double> best(passes.size(), std::numeric_limits<double>::infinity());
+  std::vector<int> repeat;
+  for (const Pass& pass : passes) {
+    pass();
+    const double start = now();
+    pass();
+    repeat.push_back(static_cast<int>(30e3 / (now() - start)) + 1);
+  }
+  const double end = now() + 1e9 * seconds * static_cast<double>(passes.size());
+  while (now() < end) {
+    check_interrupt();
+    for (size_t k = 0; k < passes.size(); ++k) {
+      const double start = now();
+      for (int r = 0; r < repeat[k]; ++r) passes[k]();
+      best[k] = std::min(best[k], (now() - start) / (static_cast<double>(repeat[k]) * states));
+    }
+  }
+  return best;
+}
+
+}  // namespace arboc::cli
