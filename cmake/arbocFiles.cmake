@@ -6,10 +6,10 @@ set(ARBOC_RUNTIME_HEADERS angles.hpp batch.hpp lanes.hpp math.hpp pack.hpp pack_
 set(ARBOC_C_RUNTIME_HEADERS casadi.h scalar.h)
 
 # `--functions dynamics`, which is the default, and `--functions all`.
-set(ARBOC_DYNAMICS fk rnea gravity statics nle crba minv aba rnea_derivatives aba_derivatives)
+set(ARBOC_DYNAMICS fk rnea gravity nle crba minv aba rnea_derivatives aba_derivatives)
 set(ARBOC_FUNCTIONS fk rnea gravity statics nle crba minv aba rnea_derivatives aba_derivatives rnea_hessian
   frame_velocity frame_acceleration frame_jacobian frame_jacobian_dot frame_velocity_derivatives
-  frame_acceleration_derivatives joint_jacobians com com_jacobian centroidal energy regressor
+  frame_acceleration_derivatives joint_jacobians transforms com com_jacobian centroidal energy regressor
   integrate difference integrate_derivatives difference_derivatives)
 
 # `--jacobian rnea.tau:q,v` makes rnea_tau_jacobian_q_v.

@@ -221,7 +221,7 @@ TEST(EmittedNames, OfLinksMayBeAny) {
              "#include <cmath>\n#include <cstdio>\n#include <odd/odd.hpp>\n"
              "static_assert(odd::parameter::masses::count == 18, \"\");\n"
              "static_assert(odd::frame::a_b == 7 && odd::frame::a_b_3 == 9, \"\");\n"
-             "static_assert(odd::load::count == 0 && odd::load::fk == 6, \"\");\n");
+             "static_assert(odd::load::count == 18 && odd::load::fk == 6, \"\");\n");
   expect_clean("c++", folder, folder / "odd.cpp");
 }
 
