@@ -3,37 +3,20 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 
+#include "common/program.h"
 #include "write.h"
 
 namespace posture {
 namespace {
 
-struct WriteError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-void write(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw WriteError("error: " + path.string() + " cannot be written");
-}
-
 void write_all(const std::string& folder, const Task& task, const Model& model,
                const Result& result) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw WriteError("error: " + folder + ": " + error.message());
-  const std::filesystem::path at(folder);
-  write(at / "result.json", json_text(task, model, result));
-  write(at / "coordinates.csv", coordinates_csv(model, result));
-  write(at / "reactions.csv", reactions_csv(task, result));
-  write(at / "starts.csv", starts_csv(result));
-  write(at / "index.html", page(task, model, result));
+  study::write_files(folder, {{"result.json", json_text(task, model, result)},
+                              {"coordinates.csv", coordinates_csv(model, result)},
+                              {"reactions.csv", reactions_csv(task, result)},
+                              {"starts.csv", starts_csv(result)},
+                              {"index.html", page(task, model, result)}});
 }
 
 void print(const Task& task, const Result& result) {
@@ -101,21 +84,6 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace posture
 
-// Exit status as that of arboc: 1 usage, 2 input, 3 output, 4 internal, 5 ran but found no posture.
 int main(int argc, char** argv) {
-  try {
-    return posture::run(argc, argv);
-  } catch (const posture::TaskError& e) {
-    fmt::print(stderr, "{}\n", e.what());
-    return 2;
-  } catch (const posture::WriteError& e) {
-    fmt::print(stderr, "{}\n", e.what());
-    return 3;
-  } catch (const std::invalid_argument& e) {
-    fmt::print(stderr, "error: {}\n", e.what());
-    return 2;
-  } catch (const std::exception& e) {
-    fmt::print(stderr, "internal error: {}\n", e.what());
-    return 4;
-  }
+  return study::exit_status([&] { return posture::run(argc, argv); });
 }

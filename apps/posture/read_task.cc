@@ -3,7 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "table.h"
+#include "common/task_file.h"
 #include "task.h"
 
 namespace posture {
@@ -14,62 +14,11 @@ using arboc::nlp::Contact;
 using arboc::nlp::Limits;
 using arboc::nlp::Load;
 using arboc::nlp::Place;
+using study::fail;
+using study::number_of;
+using study::Table;
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
-
-toml::table parse(const std::string& path) {
-  try {
-    return toml::parse_file(path);
-  } catch (const toml::parse_error& e) {
-    const auto at = e.source().begin;
-    throw TaskError(path + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
-                    ": error: " + std::string(e.description()));
-  }
-}
-
-void merge(toml::table& under, const toml::table& over);
-
-/// Tables of the same name are one; others are appended.
-void merge(toml::array& under, const toml::array& over) {
-  for (const toml::node& entry : over) {
-    const toml::table* table = entry.as_table();
-    const auto name = table ? (*table)["name"].value<std::string>() : std::nullopt;
-    const auto same = std::find_if(under.begin(), under.end(), [&](toml::node& node) {
-      const toml::table* mine = node.as_table();
-      return name && mine && (*mine)["name"].value<std::string>() == name;
-    });
-    if (same == under.end())
-      under.push_back(entry);
-    else
-      merge(*same->as_table(), *table);
-  }
-}
-
-/// What `over` says counts; tables are merged, lists of tables by their names, others replaced.
-void merge(toml::table& under, const toml::table& over) {
-  for (const auto& [key, node] : over) {
-    toml::table* table = under[key].as_table();
-    toml::array* list = under[key].as_array();
-    if (table && node.is_table())
-      merge(*table, *node.as_table());
-    else if (list && list->is_array_of_tables() && node.is_array_of_tables())
-      merge(*list, *node.as_array());
-    else
-      under.insert_or_assign(key, node);
-  }
-}
-
-/// The file over the one that it names as its `base`.
-toml::table read(const std::string& path, int depth) {
-  toml::table own = parse(path);
-  const toml::node* base = own.get("base");
-  if (!base) return own;
-  if (!base->is_string() || depth > 8) fail(*base, "base is not a file, or goes in circles");
-  const std::filesystem::path beside = std::filesystem::path(path).parent_path();
-  toml::table all = read((beside / *base->value<std::string>()).string(), depth + 1);
-  merge(all, own);
-  return all;
-}
 
 Vector3 unit(Table& table, const char* key) {
   const Vector3 v = table.vector(key);
@@ -249,7 +198,7 @@ void read_bodies(Table& table, Task& task) {
 }  // namespace
 
 Task read_task(const std::string& path) {
-  const toml::table document = read(path, 0);
+  const toml::table document = study::read_document(path);
   Table table(document, "task");
   Task task;
   task.name = table.text("name", std::filesystem::path(path).stem().string());

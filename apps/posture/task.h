@@ -87,11 +87,7 @@ struct Task {
   Search search{};
 };
 
-/// Throws TaskError with file, line and column.
+/// Throws study::TaskError with file, line and column.
 Task read_task(const std::string& path);
-
-struct TaskError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 }  // namespace posture

@@ -4,26 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/html.h"
 #include "write.h"
 
 namespace posture {
 namespace {
 
+using study::escaped;
+
 constexpr double kWidth = 320, kHeight = 420;  ///< of a drawing, px
 constexpr double kMetrePerNewton = 1e-3;       ///< of arrows
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      default: out += c;
-    }
-  }
-  return out;
-}
 
 /// Two axes of the world on paper: right and up.
 struct View {

@@ -1,4 +1,5 @@
-// One table of a task file: values by key, with complaints that say where.
+// Task files: TOML, each over the one that it names as its `base`; values by key, with complaints
+// that say where.
 #pragma once
 #define TOML_HEADER_ONLY 1
 #define TOML_ENABLE_FORMATTERS 0
@@ -7,9 +8,20 @@
 #include <array>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
-namespace posture {
+namespace study {
+
+/// What is wrong with a task file: PATH:LINE:COLUMN: error: ...
+struct TaskError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The file over the one that its key `base` names, beside it: tables are merged, lists of tables
+/// by the `name` of their entries, others replaced.  Throws TaskError.
+toml::table read_document(const std::string& path);
 
 /// Throws TaskError: PATH:LINE:COLUMN: error: ...
 [[noreturn]] void fail(const toml::source_region& where, const std::string& message);
@@ -49,4 +61,4 @@ class Table {
 double number_of(const toml::node& node, const std::string& what);
 Eigen::Vector3d vector_of(const toml::node& node, const std::string& what);
 
-}  // namespace posture
+}  // namespace study

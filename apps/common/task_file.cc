@@ -1,11 +1,70 @@
-#include "table.h"
+#include "task_file.h"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
-#include "task.h"
+namespace study {
+namespace {
 
-namespace posture {
+toml::table parse(const std::string& path) {
+  try {
+    return toml::parse_file(path);
+  } catch (const toml::parse_error& e) {
+    const auto at = e.source().begin;
+    throw TaskError(path + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
+                    ": error: " + std::string(e.description()));
+  }
+}
+
+void merge(toml::table& under, const toml::table& over);
+
+/// Tables of the same name are one; others are appended.
+void merge(toml::array& under, const toml::array& over) {
+  for (const toml::node& entry : over) {
+    const toml::table* table = entry.as_table();
+    const auto name = table ? (*table)["name"].value<std::string>() : std::nullopt;
+    const auto same = std::find_if(under.begin(), under.end(), [&](toml::node& node) {
+      const toml::table* mine = node.as_table();
+      return name && mine && (*mine)["name"].value<std::string>() == name;
+    });
+    if (same == under.end())
+      under.push_back(entry);
+    else
+      merge(*same->as_table(), *table);
+  }
+}
+
+/// What `over` says counts; tables are merged, lists of tables by their names, others replaced.
+void merge(toml::table& under, const toml::table& over) {
+  for (const auto& [key, node] : over) {
+    toml::table* table = under[key].as_table();
+    toml::array* list = under[key].as_array();
+    if (table && node.is_table())
+      merge(*table, *node.as_table());
+    else if (list && list->is_array_of_tables() && node.is_array_of_tables())
+      merge(*list, *node.as_array());
+    else
+      under.insert_or_assign(key, node);
+  }
+}
+
+/// The file over the one that it names as its `base`.
+toml::table read(const std::string& path, int depth) {
+  toml::table own = parse(path);
+  const toml::node* base = own.get("base");
+  if (!base) return own;
+  if (!base->is_string() || depth > 8) fail(*base, "base is not a file, or goes in circles");
+  const std::filesystem::path beside = std::filesystem::path(path).parent_path();
+  toml::table all = read((beside / *base->value<std::string>()).string(), depth + 1);
+  merge(all, own);
+  return all;
+}
+
+}  // namespace
+
+toml::table read_document(const std::string& path) { return read(path, 0); }
 
 void fail(const toml::source_region& where, const std::string& message) {
   std::ostringstream text;
@@ -31,9 +90,7 @@ Eigen::Vector3d vector_of(const toml::node& node, const std::string& what) {
   return v;
 }
 
-void Table::fail(const std::string& message) const {
-  posture::fail(table_, what_ + ": " + message);
-}
+void Table::fail(const std::string& message) const { study::fail(table_, what_ + ": " + message); }
 
 const toml::node* Table::find(const char* key) {
   known_.insert(key);
@@ -47,7 +104,7 @@ std::string Table::text(const char* key) {
 std::string Table::text(const char* key, std::string otherwise) {
   const toml::node* node = find(key);
   if (!node) return otherwise;
-  if (!node->is_string()) posture::fail(*node, what_ + ": " + key + " is not a text");
+  if (!node->is_string()) study::fail(*node, what_ + ": " + key + " is not a text");
   return *node->value<std::string>();
 }
 double Table::number(const char* key, double otherwise) {
@@ -59,14 +116,14 @@ int Table::whole(const char* key, int otherwise, int least) {
   if (!node) return otherwise;
   const std::optional<int> x = node->value<int>();
   if (!node->is_integer() || !x || *x < least)
-    posture::fail(
-        *node, what_ + ": " + key + " is not a whole number of at least " + std::to_string(least));
+    study::fail(*node,
+                what_ + ": " + key + " is not a whole number of at least " + std::to_string(least));
   return *x;
 }
 bool Table::flag(const char* key, bool otherwise) {
   const toml::node* node = find(key);
   if (!node) return otherwise;
-  if (!node->is_boolean()) posture::fail(*node, what_ + ": " + key + " is neither true nor false");
+  if (!node->is_boolean()) study::fail(*node, what_ + ": " + key + " is neither true nor false");
   return *node->value<bool>();
 }
 Eigen::Vector3d Table::vector(const char* key) {
@@ -84,7 +141,7 @@ std::array<std::array<double, 2>, 3> Table::limits(const char* key) {
   const std::string what = what_ + ": " + key;
   const toml::array* list = node->as_array();
   if (!list || list->size() != 3)
-    posture::fail(*node, what + " is not a list of three numbers or pairs of limits");
+    study::fail(*node, what + " is not a list of three numbers or pairs of limits");
   for (std::size_t i = 0; i < 3; ++i) {
     const toml::node& entry = *list->get(i);
     const toml::array* pair = entry.as_array();
@@ -92,9 +149,9 @@ std::array<std::array<double, 2>, 3> Table::limits(const char* key) {
       out[i].fill(number_of(entry, what));
       continue;
     }
-    if (pair->size() != 2) posture::fail(entry, what + ": limits are two numbers");
+    if (pair->size() != 2) study::fail(entry, what + ": limits are two numbers");
     for (std::size_t k = 0; k < 2; ++k) out[i][k] = number_of(*pair->get(k), what);
-    if (out[i][0] > out[i][1]) posture::fail(entry, what + ": the lower limit is above the upper");
+    if (out[i][0] > out[i][1]) study::fail(entry, what + ": the lower limit is above the upper");
   }
   return out;
 }
@@ -104,9 +161,9 @@ std::vector<Table> Table::tables(const char* key) {
   const toml::node* node = find(key);
   if (!node) return out;
   const toml::array* list = node->as_array();
-  if (!list) posture::fail(*node, what_ + ": " + key + " is not a list of tables");
+  if (!list) study::fail(*node, what_ + ": " + key + " is not a list of tables");
   for (const toml::node& entry : *list) {
-    if (!entry.is_table()) posture::fail(entry, what_ + ": an entry of " + key + " is not a table");
+    if (!entry.is_table()) study::fail(entry, what_ + ": an entry of " + key + " is not a table");
     const auto name = (*entry.as_table())["name"].value<std::string>();
     out.emplace_back(*entry.as_table(), std::string(key) + (name ? " '" + *name + "'" : ""));
   }
@@ -115,15 +172,15 @@ std::vector<Table> Table::tables(const char* key) {
 std::optional<Table> Table::table(const char* key) {
   const toml::node* node = find(key);
   if (!node) return std::nullopt;
-  if (!node->is_table()) posture::fail(*node, what_ + ": " + key + " is not a table");
+  if (!node->is_table()) study::fail(*node, what_ + ": " + key + " is not a table");
   return Table(*node->as_table(), key);
 }
 
 void Table::finish() const {
   for (const auto& [key, node] : table_) {
     if (known_.count(std::string(key.str()))) continue;
-    posture::fail(key.source(), what_ + ": there is no key '" + std::string(key.str()) + "'");
+    study::fail(key.source(), what_ + ": there is no key '" + std::string(key.str()) + "'");
   }
 }
 
-}  // namespace posture
+}  // namespace study

@@ -1,0 +1,24 @@
+// What all programs of studies do alike: files of a result, exit statuses.
+#pragma once
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace study {
+
+struct WriteError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+using Files = std::vector<std::pair<std::string, std::string>>;  ///< name in the folder, content
+
+/// Makes the folder where it is not there.  Throws WriteError.
+void write_files(const std::string& folder, const Files& files);
+
+/// Runs a program and turns exceptions into a line on stderr and arboc's statuses: 2 input
+/// (TaskError, std::invalid_argument), 3 output (WriteError), 4 internal.
+int exit_status(const std::function<int()>& program);
+
+}  // namespace study
