@@ -62,12 +62,15 @@ function draw(context, data, view, frame, part) {
   lines.sort((x, y) => y.from[3] + y.to[3] - x.from[3] - x.to[3]);  // far ones first
   context.lineCap = "round";
   for (const {s, from, to} of lines) {
-    context.strokeStyle = ["#345", "#c30", "#998"][s.kind];
-    context.lineWidth = Math.max(1.5, (from[2] + to[2]) * s.radius);
     context.beginPath();
     context.moveTo(from[0], from[1]);
     context.lineTo(to[0], to[1]);
-    context.stroke();
+    const width = Math.max(1.5, (from[2] + to[2]) * s.radius);
+    for (const [colour, wider] of [["#fff", 2], [["#345", "#c30", "#998"][s.kind], 0]]) {
+      context.strokeStyle = colour;
+      context.lineWidth = width + wider;
+      context.stroke();
+    }
   }
 }
 function play(data) {
