@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # the tests are not installed
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/arboc)
-install(TARGETS arboc arboc_runtime EXPORT arbocTargets)
+install(TARGETS arboc arboc_page arboc_runtime EXPORT arbocTargets)
 install(EXPORT arbocTargets NAMESPACE arboc:: DESTINATION ${package})
 install(DIRECTORY runtime/arboc DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY python/arboc DESTINATION lib/python3/dist-packages

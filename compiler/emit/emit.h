@@ -30,6 +30,8 @@ std::string batch_header(const TargetModel& model);
 std::string selftest(const TargetModel& model);
 std::string casadi_header(const TargetModel& model);
 std::string c_function(const TargetModel& model, const ExternalFunction& function);
+/// A function as an ES module, of those without special functions and checks.
+std::string js_function(const TargetModel& model, const TargetFunction& function);
 /// ur5_rnea, jac_ur5_rnea
 std::string external_symbol(const TargetModel& model, const ExternalFunction& function);
 

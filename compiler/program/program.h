@@ -95,6 +95,8 @@ Program schedule(const Graph& graph, const ScheduleOptions& options = {});
 
 /// Operations of the statements as listed.
 OpCount count_ops(const Program& program);
+/// The same by block; sines and cosines of the angles that come first belong to none.
+std::vector<OpCount> count_ops_by_block(const Program& program);
 
 /// How a language writes what is not an operator: formats of a number, of a function by its name
 /// and argument, and of one with an index, name, index and argument.
@@ -106,6 +108,8 @@ struct Spelling {
 };
 inline constexpr Spelling kCpp{"T({})", "{}({})", "arboc::{}({})", "arboc::{}<{}>({})"};
 inline constexpr Spelling kC{"K({})", "arboc_{}({})", "arboc_{}({})", "arboc_{}({}, {})"};
+/// Of functions without special functions.
+inline constexpr Spelling kJs{"{}", "Math.{}({})", "{}({})", "{}({}, {})"};
 
 /// An operand, a right-hand side.
 std::string text(const Program& program, const Operand& operand, const Spelling& spelling = kCpp);

@@ -1,5 +1,6 @@
-# cmake -DOUT=file.cc -DFILES="name=path;..." -P embed.cmake: the files as one C++ table.
-set(text "#include <map>\n#include <string>\n\nnamespace arboc {\n\n")
+# cmake -DOUT=file.cc -DNAMESPACE=arboc -DFILES="name=path;..." -P embed.cmake: the files as one C++
+# table.
+set(text "#include <map>\n#include <string>\n\nnamespace ${NAMESPACE} {\n\n")
 string(APPEND text "const std::map<std::string, std::string>& embedded_files() {\n")
 string(APPEND text "  static const std::map<std::string, std::string> files = {\n")
 foreach(entry IN LISTS FILES)
@@ -8,5 +9,5 @@ foreach(entry IN LISTS FILES)
   file(READ "${CMAKE_MATCH_2}" content)
   string(APPEND text "{\"${name}\", R\"arboc_embed(${content})arboc_embed\"},\n")
 endforeach()
-string(APPEND text "  };\n  return files;\n}\n\n}  // namespace arboc\n")
+string(APPEND text "  };\n  return files;\n}\n\n}  // namespace ${NAMESPACE}\n")
 file(WRITE "${OUT}" "${text}")

@@ -1,0 +1,5 @@
+@banner@
+//
+@contract@
+@parts@export function @function@(@parameters@) {
+@body@}
