@@ -203,6 +203,8 @@ void add_changed(const FunctionOptions& options, std::vector<std::string>& chang
   if (options.iterated) changed.emplace_back("--iterated");
 }
 
+}  // namespace
+
 std::vector<std::string> changed_options(const CompileOptions& compile_options) {
   const ModelOptions& options = compile_options.model;
   std::vector<std::string> changed;
@@ -228,6 +230,8 @@ std::vector<std::string> changed_options(const CompileOptions& compile_options) 
   if (!scalars.empty()) changed.push_back(fmt::format("--scalars {}", fmt::join(scalars, ",")));
   return changed;
 }
+
+namespace {
 
 /// Suffixes of a joint's coordinates in velocity_names.
 std::vector<std::string> freedoms_of(JointType type) {

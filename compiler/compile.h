@@ -63,6 +63,9 @@ struct Compilation {
 /// Runs every stage up to Program.  Notes and warnings go to `diagnostics`.
 Compilation compile(const Model& model, const CompileOptions& options, Diagnostics& diagnostics);
 
+/// Those that differ from their defaults, as on the command line, sorted.
+std::vector<std::string> changed_options(const CompileOptions& options);
+
 /// What the emitter needs; the recordings of the selftest come from the reference engine.
 TargetModel target(const Compilation& compilation, const CompileOptions& options);
 

@@ -80,11 +80,20 @@ void add_inspect(CLI::App& app, Arguments& args) {
   sub->add_flag("--tree", args.inspect.tree,
                 "the dynamic tree: joints J0, J1, ... and links L0, L1, ..., dummy links");
   sub->add_option("--svg", args.inspect.svg, "draw it")->type_name("FILE");
+  sub->add_option("--html", args.inspect.html,
+                  "a page about the model: skeleton with sliders, tables, sparsity, operations")
+      ->type_name("FILE");
   add_request_options(*sub, args.common);
   sub->callback([sub, &args] {
     args.inspect.ops = sub->count("--ops") > 0 || !args.common.compile.requests.empty();
     args.common.functions_option = "--ops";
   });
+}
+
+void add_animate(CLI::App& app, Arguments& args) {
+  CLI::App* sub = app.add_subcommand("animate", "make a page that plays a motion (docs/pages.md)");
+  sub->add_option("motion", args.common.path, "the motion, JSON")->required()->type_name("MOTION");
+  sub->add_option("-o,--out", args.out, "the page")->required()->type_name("FILE");
 }
 
 void add_eval(CLI::App& app, Arguments& args) {
@@ -173,6 +182,7 @@ void add_bench(CLI::App& app, Arguments& args) {
 int dispatch(const CLI::App& app, const Arguments& args) {
   if (app.got_subcommand("compile")) return run_compile(args.common, args.out, args.stage);
   if (app.got_subcommand("inspect")) return run_inspect(args.common, args.inspect);
+  if (app.got_subcommand("animate")) return run_animate(args.common.path, args.out);
   if (app.got_subcommand("eval")) return run_eval(args.common, args.eval);
   if (app.got_subcommand("check") && !args.folder.empty())
     return run_check_folder(args.common, args.folder);
@@ -229,6 +239,7 @@ int main(int argc, char** argv) {
   Arguments args;
   add_compile(app, args);
   add_inspect(app, args);
+  add_animate(app, args);
   add_eval(app, args);
   add_check(app, args);
   add_bench(app, args);

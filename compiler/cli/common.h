@@ -104,8 +104,11 @@ struct InspectOptions {
   bool ops = false;   ///< trace and count
   bool tree = false;  ///< joints and links with their numbers in the dynamic tree
   std::string svg;    ///< file for a picture of it; empty: none
+  std::string html;   ///< file for a page about the model; empty: none
 };
 int run_inspect(const Common& common, const InspectOptions& options);
+/// A motion in JSON -> the page that plays it.
+int run_animate(const std::string& motion, const std::string& out);
 struct EvalOptions {
   std::string function, output;
   std::map<std::string, std::string> files;  ///< of inputs, by name

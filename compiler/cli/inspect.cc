@@ -7,6 +7,7 @@
 #include "base/number.h"
 #include "cli/common.h"
 #include "cli/output.h"
+#include "report/report.h"
 #include "tree/numbering.h"
 
 namespace arboc::cli {
@@ -142,10 +143,46 @@ void show_tree(const Model& model, const InspectOptions& options, ordered_json& 
                             {"dummy", link.dummy}});
 }
 
+/// What is asked for, compiled; of default functions those that the model can have.
+void count(const Common& common, ReportInput& report) {
+  check_size(report.setup.model, common.compile.max_dof);
+  for (const Request& request : requests(common)) {
+    try {
+      report.functions.push_back(compile_function(request, report.setup));
+    } catch (const AbsentError& e) {
+      if (!asks_by_default(common)) throw;
+      Diagnostics left_out;
+      report_left_out(request, e, left_out);
+      print_diagnostics(left_out, common, false);
+      report.absent.push_back(name(request));
+    }
+    check_interrupt();
+  }
+}
+
+void show_ops(const std::vector<CompiledFunction>& functions, ordered_json& json) {
+  if (json.is_null())
+    fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6} {:>8}\n", "function", "total",
+               "mul", "add", "fma", "div", "sqrt", "sincos", "in lanes");
+  for (const CompiledFunction& f : functions) {
+    const std::string function = name(f.request);
+    const OpCount n = f.program.ops;
+    if (json.is_null()) {
+      fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6} {:>8}\n", function, n.total(),
+                 n.mul, n.add, n.fma, n.div, n.sqrt, n.sincos,
+                 f.lanes ? fmt::format("{}", f.lanes->program.ops.total()) : "-");
+      continue;
+    }
+    json["ops"][function] = {{"mul", n.mul}, {"add", n.add},   {"fma", n.fma},
+                             {"div", n.div}, {"sqrt", n.sqrt}, {"sincos", n.sincos}};
+    if (f.lanes) json["ops"][function]["lanes"] = f.lanes->program.ops.total();
+  }
+}
+
 }  // namespace
 
 int run_inspect(const Common& common, const InspectOptions& options) {
-  const std::vector<Request> asked = options.ops ? requests(common) : std::vector<Request>{};
+  if (options.ops) requests(common);  // complains before anything is read
   Diagnostics diagnostics;
   const Model model = configured(common, read(common, diagnostics), diagnostics);
   print_diagnostics(diagnostics, common, common.verbose || !common.json);
@@ -155,40 +192,18 @@ int run_inspect(const Common& common, const InspectOptions& options) {
   else
     print_text(model);
   if (options.tree || !options.svg.empty()) show_tree(model, options, json);
-  const Setup setup = resolve(model, common.compile.function);
+  ReportInput report{resolve(model, common.compile.function),
+                     changed_options(common.compile),
+                     {},
+                     {},
+                     diagnostics};
   if (common.json)
-    json.update(describe(setup));
+    json.update(describe(report.setup));
   else
-    print_parameters(setup);
-  if (options.ops) {
-    check_size(model, common.compile.max_dof);
-    if (!common.json)
-      fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6} {:>8}\n", "function", "total",
-                 "mul", "add", "fma", "div", "sqrt", "sincos", "in lanes");
-    for (const Request& request : asked) {
-      const std::string function = arboc::name(request);
-      CompiledFunction f;
-      try {
-        f = compile_function(request, setup);
-      } catch (const AbsentError& e) {
-        if (!asks_by_default(common)) throw;
-        Diagnostics left_out;
-        report_left_out(request, e, left_out);
-        print_diagnostics(left_out, common, false);
-        continue;
-      }
-      const OpCount n = f.program.ops;
-      check_interrupt();
-      if (common.json)
-        json["ops"][function] = {{"mul", n.mul}, {"add", n.add},   {"fma", n.fma},
-                                 {"div", n.div}, {"sqrt", n.sqrt}, {"sincos", n.sincos}};
-      else
-        fmt::print("{:<30} {:>7} {:>6} {:>6} {:>6} {:>4} {:>5} {:>6} {:>8}\n", function, n.total(),
-                   n.mul, n.add, n.fma, n.div, n.sqrt, n.sincos,
-                   f.lanes ? fmt::format("{}", f.lanes->program.ops.total()) : "-");
-      if (common.json && f.lanes) json["ops"][function]["lanes"] = f.lanes->program.ops.total();
-    }
-  }
+    print_parameters(report.setup);
+  if (options.ops || !options.html.empty()) count(common, report);
+  if (options.ops) show_ops(report.functions, json);
+  if (!options.html.empty()) write_one_file(options.html, html_report(report));
   if (common.json) fmt::print("{}\n", dump(json, 1));
   flush_stdout();
   return kOk;

@@ -29,6 +29,17 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
+/// The first characters of a text that is too long for its box.
+std::string shortened(const std::string& text) {
+  constexpr size_t kCharacters = 14;
+  size_t count = 0, last = 0;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xC0) == 0x80) continue;  // inside a character
+    if (++count == kCharacters) last = i;
+  }
+  return count > kCharacters ? text.substr(0, last) + "\xE2\x80\xA6" : text;
+}
+
 struct Spot {
   double x = 0, y = 0;
 };
@@ -86,8 +97,7 @@ std::string draw_svg(const std::string& title, const std::vector<NumberedLink>& 
         "<g><title>{} ({})</title><circle cx=\"{:g}\" cy=\"{:g}\" r=\"{:g}\" fill=\"#f7e3c4\" "
         "stroke=\"#333\"/><text x=\"{:g}\" y=\"{:g}\">J{}</text></g>\n",
         escaped(link.joint), link.type, joint.x, joint.y, kRadius, joint.x, joint.y + 4, i);
-    std::string text = fmt::format("L{} {}", i, link.link);
-    if (text.size() > 14) text = text.substr(0, 13) + "\xE2\x80\xA6";
+    const std::string text = shortened(printable(fmt::format("L{} {}", i, link.link)));
     boxes += box(spots[i], escaped(text),
                  link.dummy ? escaped(link.link) + ", dummy link"
                             : fmt::format("{}, {:.6g} kg", escaped(link.link), link.mass),
