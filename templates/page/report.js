@@ -105,7 +105,7 @@ function addJoint(control) {
 function fillHead() {
   document.title = $("name").textContent = model.name;
   $("summary").textContent = `${links.length} links, ${model.nv} degrees of freedom, ` +
-    `${model.mass} kg, gravity (${model.gravity.join(", ")}) m/s²`;
+    `${Number(model.mass.toPrecision(6))} kg, gravity (${model.gravity.join(", ")}) m/s²`;
   $("origin").textContent = `${model.file}, SHA-256 ${model.sha256.slice(0, 16)}…; arboc ${model.version}` +
     (model.options.length ? `; ${model.options.join(" ")}` : "");
 }
@@ -126,7 +126,7 @@ function fillLinks() {
     const at = ["x", "y", "z"].map(() => number(""));
     const remarks = diagnostics.filter((d) => d.severity !== "note" && d.element.includes(`'${link.name}'`));
     const row = element("tr", { className: "link" }, cell(link.name), cell(link.joint), cell(link.type),
-      cell(link.parent), number(link.mass), ...at, cell(remarks.map((d) => d.message).join("; ")));
+      cell(link.parent), number(Number(link.mass.toPrecision(6))), ...at, cell(remarks.map((d) => d.message).join("; ")));
     row.addEventListener("click", () => light(k));
     $("links").append(row);
     shown.push(() => at.forEach((x, i) => {
@@ -193,9 +193,9 @@ function fillMatrices() {
 }
 
 function fillCost() {
-  $("cost-text").textContent = `Estimated, not measured: ${cost.ms_per_operation} ms of CPU per operation ` +
-    `and ${cost.s_per_file} s a file, function by function and in parallel, with ${cost.compiler}. ` +
-    "arboc bench MODEL --compile measures it on your machine.";
+  $("cost-text").textContent = `Estimated, not measured here: ${cost.s_per_file} s of CPU a file and ` +
+    `${cost.ms_per_operation} ms an operation, which is what ${cost.compiler} needed for the functions of ` +
+    "several models; files are compiled in parallel. arboc bench MODEL --compile measures yours.";
   $("cost").append(element("tr", {}, head("function"), head("operations", "number"),
     head("CPU, s", "number")));
   for (const f of cost.functions)

@@ -151,7 +151,7 @@ class Pages(unittest.TestCase):
         model = MODELS / "ur5/ur5.urdf"
         self.report(model)
         self.check_load(pathlib.Path(SCRATCH.name) / "page.html")
-        self.browser.run("window.arboc.view.turning = false")
+        self.browser.run("window.arboc.view.turning = false; window.arboc.view.keepInView = () => {}")
         controls = self.browser.run(
             "return window.arboc.data.report.controls.map((c) => [c.name, c.lower, c.upper])")
         self.assertEqual(len(controls), 6)
