@@ -56,7 +56,7 @@ int run(int argc, char** argv) {
   const study::Animation moving = animation(of, task, result);
   study::write_files(folder, {{"result.json", json_text(of, task, result, aim)},
                               {"motion.csv", motion_csv(of, result)},
-                              {"peaks.csv", peaks_csv(result)},
+                              {"peaks.csv", study::peaks_csv(result.peaks)},
                               {"torques.svg", study::svg(torque_plot(of, task, result))},
                               {"heading.svg", study::svg(heading_plot(of, result))},
                               {"motion.glb", study::glb(moving)},

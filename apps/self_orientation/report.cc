@@ -1,7 +1,6 @@
 #include "report.h"
 
 #include <algorithm>
-#include <arboc/measures/energy.hpp>
 #include <chrono>
 #include <cmath>
 
@@ -27,53 +26,37 @@ void momentum(const Model& model, Result& r) {
   r.momentum_drift = scale > 0 ? largest / scale : 0;
 }
 
-void torques(const Model& model, Result& r) {
+study::Effort torques(const Model& model, Result& r) {
   const Trajectory& t = r.trajectory;
-  const auto frames = static_cast<Eigen::Index>(t.times.size());
   const Eigen::Index joints = model.nv - 6;
-  r.torques.resize(frames, joints);
-  r.effort.resize(frames);
-  for (const std::string& name : model.joints) r.peaks.push_back({name, 0, 0});
-  for (Eigen::Index k = 0; k < frames; ++k) {
-    const auto i = static_cast<std::size_t>(k);
+  study::Effort out(t.times.size(), model.joints.size());
+  out.times = t.times;
+  for (std::size_t i = 0; i < t.times.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
     const Vector tau = model.rnea(t.q[i], t.v[i], t.a[i]);
     r.base_residual = std::max(r.base_residual, tau.head<6>().cwiseAbs().maxCoeff());
-    r.torques.row(k) = tau.tail(joints).transpose();
-    r.effort[k] = arboc::effort(tau.tail(joints), t.v[i].tail(joints));
-    for (Eigen::Index j = 0; j < joints; ++j) {
-      Peak& peak = r.peaks[static_cast<std::size_t>(j)];
-      if (std::fabs(tau[6 + j]) > std::fabs(peak.torque))
-        peak = {peak.joint, tau[6 + j], t.times[i]};
-    }
+    out.torques.row(k) = tau.tail(joints).transpose();
+    out.rates.row(k) = t.v[i].tail(joints).transpose();
+    out.accelerations.row(k) = t.a[i].tail(joints).transpose();
   }
+  return out;
 }
 
-/// Integrals by trapezoids between frames; of jerk the sum of changes of accelerations.
-void energy(const Model& model, Result& r) {
+void energy(const Model& model, study::Effort& effort, Result& r) {
   const Trajectory& t = r.trajectory;
-  const Eigen::Index joints = model.nv - 6;
-  double effort = 0, power = 0, transfer = 0, jerk = 0, exchange = 0, before = 0;
-  for (std::size_t k = 0; k < t.times.size(); ++k) {
-    const Energy E = model.energy(t.q[k], t.v[k]);
-    const Vector tau = r.torques.row(static_cast<Eigen::Index>(k)).transpose();
-    const Vector rate = t.v[k].tail(joints);
-    const double rate_of_change = E.by_q.dot(t.v[k]) + E.by_v.dot(t.a[k]);
-    r.power_balance = std::max(r.power_balance, std::fabs(rate_of_change - tau.dot(rate)));
-    const double weight = ((k > 0 ? t.times[k] - t.times[k - 1] : 0) +
-                           (k + 1 < t.times.size() ? t.times[k + 1] - t.times[k] : 0)) /
-                          2;  // trapezoids
-    effort += weight * r.effort[static_cast<Eigen::Index>(k)];
-    power += weight * arboc::power(tau, rate);
-    transfer += weight * arboc::transfer(tau, model.segment_rates(t.q[k], t.v[k]));
-    if (k > 0) exchange += std::fabs(E.T - before);
-    before = E.T;
-    if (k > 0) jerk += (t.a[k].tail(joints) - t.a[k - 1].tail(joints)).cwiseAbs().sum();
+  for (std::size_t i = 0; i < t.times.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    const Energy E = model.energy(t.q[i], t.v[i]);
+    effort.energies[k] = E.T;
+    effort.segment_rates.row(k) = model.segment_rates(t.q[i], t.v[i]).transpose();
+    const double rate_of_change = E.by_q.dot(t.v[i]) + E.by_v.dot(t.a[i]);
+    r.power_balance =
+        std::max(r.power_balance,
+                 std::fabs(rate_of_change - effort.torques.row(k).dot(effort.rates.row(k))));
   }
-  r.energy = {{"effort", effort},
-              {"exchange", exchange},
-              {"power", power},
-              {"transfer", transfer},
-              {"jerk", jerk}};
+  r.energy = study::expenditure(effort);
+  r.peaks = study::peaks(model.joints, effort);
+  r.weighted = study::weighted_torques(effort);
 }
 
 void paper(const Model& model, Result& r) {
@@ -102,7 +85,7 @@ Result report(const Model& model, const Task& task) {
   Result r;
   const auto begin = Clock::now();
   r.trajectory = simulate(model, manoeuvre, task.rate);
-  torques(model, r);
+  study::Effort effort = torques(model, r);
   r.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   const Trajectory& t = r.trajectory;
   const Heading h = heading(
@@ -111,7 +94,8 @@ Result report(const Model& model, const Task& task) {
   r.tilt = h.tilt;
   r.closure = (t.q.back() - t.q.front()).tail(model.nq - 7).cwiseAbs().maxCoeff();
   momentum(model, r);
-  energy(model, r);
+  energy(model, effort, r);
+  r.torques = effort.torques;
   paper(model, r);
   return r;
 }

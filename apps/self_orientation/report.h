@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "afloat.h"
-#include "common/csv.h"
+#include "common/expenditure.h"
 
 namespace self_orientation {
 
@@ -16,11 +16,6 @@ struct PaperDifference {
   double momentum_rate = 0;  ///< |f0 + f3 + f6|; N, N m
 };
 
-struct Peak {
-  std::string joint;
-  double torque, time;  ///< N m, where |tau| is largest; s
-};
-
 struct Result {
   double heading = 0, tilt = 0;  ///< rad, of the base at the end
   double momentum_drift = 0;  ///< largest |h| over the largest |A_j qd|: of what joints alone have
@@ -30,10 +25,10 @@ struct Result {
   double power_balance = 0;   ///< W: dT/dt - sum tau qd
   std::map<std::string, double> energy;  ///< the five measures over the motion
   std::optional<PaperDifference> paper;
-  std::vector<Peak> peaks;  ///< one a joint
+  std::vector<study::Peak> peaks;  ///< one a joint
   Trajectory trajectory;
   study::Rows torques;  ///< frames x joints
-  Vector effort;        ///< weighted sum of |tau|, N m
+  Vector weighted;      ///< sum of |tau|, a third where joints give way, N m
   double seconds = 0;   ///< of simulation and torques
 };
 

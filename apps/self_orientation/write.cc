@@ -48,7 +48,7 @@ std::string json_text(const Model& model, const Task& task, const Result& r,
                                 {"torque_nm", r.paper->torque},
                                 {"momentum_rate", r.paper->momentum_rate}};
   json["peaks"] = Json::array();
-  for (const Peak& p : r.peaks)
+  for (const study::Peak& p : r.peaks)
     json["peaks"].push_back({{"joint", p.joint}, {"torque_nm", p.torque}, {"time_s", p.time}});
   json["cycles"] = task.cycles;
   json["steps"] = steps(task);
@@ -81,13 +81,6 @@ std::string motion_csv(const Model& model, const Result& r) {
   add("v.", model.joints);
   add("tau.", model.joints);
   return study::csv(names, {times(r), q, v, r.torques});
-}
-
-std::string peaks_csv(const Result& r) {
-  std::string out = "joint,torque,time\n";
-  for (const Peak& p : r.peaks)
-    out += fmt::format("{},{:.17g},{:.17g}\n", p.joint, p.torque, p.time);
-  return out;
 }
 
 study::Animation animation(const Model& model, const Task& task, const Result& r) {
@@ -125,7 +118,7 @@ study::Plot torque_plot(const Model& model, const Task& task, const Result& r) {
   order.resize(std::min<std::size_t>(order.size(), 8));
   for (const std::size_t j : order)
     plot.lines.push_back({model.joints[j], times(r), r.torques.col(static_cast<Eigen::Index>(j))});
-  plot.lines.push_back({"weighted sum of |tau|", times(r), r.effort});
+  plot.lines.push_back({"weighted sum of |tau|", times(r), r.weighted});
   const Manoeuvre manoeuvre(task, model);
   plot.marks = manoeuvre.ends();
   return plot;

@@ -13,8 +13,6 @@ std::string json_text(const Model& model, const Task& task, const Result& result
                       const std::optional<AimResult>& aim);
 /// A row a frame: time, coordinates, velocities, torques.
 std::string motion_csv(const Model& model, const Result& result);
-/// A row a joint: its largest torque and when.
-std::string peaks_csv(const Result& result);
 study::Animation animation(const Model& model, const Task& task, const Result& result);
 study::Plot torque_plot(const Model& model, const Task& task, const Result& result);
 study::Plot heading_plot(const Model& model, const Result& result);

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/QR>
 #include <Eigen/SparseLU>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -63,14 +64,27 @@ class System {
   double stationarity() const { return residual.head(n_).norm(); }
   double violation() const { return residual.tail(m_).norm(); }
 
-  /// Z^T H Z > 0 with the columns of Z a basis of what the rows leave free.
-  bool minimum() const {
+  /// F_xx along directions that the rows leave free: Z^T F_xx Z with orthonormal columns of Z.
+  Eigen::MatrixXd free_curvature() const {
     const Eigen::MatrixXd K(matrix());
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(K.bottomLeftCorner(m_, n_).transpose());
     const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(n_, n_);
     const Eigen::MatrixXd Z = Q.rightCols(n_ - qr.rank());
-    const Eigen::LLT<Eigen::MatrixXd> llt(Z.transpose() * K.topLeftCorner(n_, n_) * Z);
-    return llt.info() == Eigen::Success;
+    return Z.transpose() * K.topLeftCorner(n_, n_) * Z;
+  }
+  /// Of f + mu |c|_1 along a step that would meet the rows if they were linear.
+  double slope(const Vector& dx, const Vector& l, double mu) const {
+    return residual.head(n_).dot(dx) + l.dot(residual.tail(m_)) -
+           mu * residual.tail(m_).lpNorm<1>();
+  }
+  void shift(double by) {
+    for (int k = 0; k < n_; ++k) add(k, k, by);
+  }
+  double merit(const Vector& x, double mu) {
+    nlp_.move_to(x.data());
+    const Eigen::Map<const Vector> c(nlp_.constraints().data(), m_),
+        wanted(nlp_.rows().lower.data(), m_);
+    return nlp_.objective() + mu * (c - wanted).lpNorm<1>();
   }
 
  private:
@@ -87,6 +101,34 @@ class System {
   double objective = 0;
   Vector residual;  ///< F_x, c
 };
+
+bool positive(const Eigen::MatrixXd& A) {
+  return A.size() == 0 || Eigen::LLT<Eigen::MatrixXd>(A).info() == Eigen::Success;
+}
+
+/// The least of some shifts that makes the curvature positive.
+double needed_shift(Eigen::MatrixXd curvature) {
+  if (positive(curvature)) return 0;
+  const double size = std::max(curvature.diagonal().cwiseAbs().mean(), 1e-8);
+  double total = 0;
+  for (double shift = 1e-3 * size; shift < 1e12 * size; shift *= 4) {
+    curvature.diagonal().array() += shift - total;
+    total = shift;
+    if (positive(curvature)) break;
+  }
+  return 2 * total;
+}
+
+/// The part of a step after which f + mu |c|_1 has fallen enough; slope: of it along the step.
+double fraction(System& system, const Vector& x, const Vector& dx, double mu, double slope) {
+  const double here = system.merit(x, mu);
+  double part = 1;
+  // Near a solution the change is below rounding of the sum.
+  const double rounding = 1e-12 * (1 + std::fabs(here));
+  while (part > 1e-8 && !(system.merit(x + part * dx, mu) <= here + 1e-4 * part * slope + rounding))
+    part /= 2;
+  return part;
+}
 
 bool small(double step, double size, double tolerance) {
   return step <= tolerance * size || step <= tolerance;
@@ -107,6 +149,8 @@ LagrangeNewtonResult lagrange_newton(Nlp& nlp, std::vector<double> start,
   result.stop_reason = "as many iterations as allowed";
   for (int k = 0; k < options.max_iterations; ++k) {
     system.move_to(x, l);
+    const double shift = options.safeguards ? needed_shift(system.free_curvature()) : 0;
+    system.shift(shift);
     const Sparse K = system.matrix();
     if (k == 0) solver.analyzePattern(K);
     solver.factorize(K);
@@ -121,11 +165,18 @@ LagrangeNewtonResult lagrange_newton(Nlp& nlp, std::vector<double> start,
       result.stop_reason = "the step is not finite";
       break;
     }
-    x += step.head(n);
-    l += step.tail(m);
-    const double dx = step.head(n).norm(), dl = step.tail(m).norm();
-    result.log.push_back(
-        {system.objective, system.stationarity(), system.violation(), dx, dl, x.norm(), l.norm()});
+    const double mu = 2 * (l + step.tail(m)).lpNorm<Eigen::Infinity>() + 1e-8;
+    const double slope = system.slope(step.head(n), l, mu);
+    const double part = options.safeguards ? fraction(system, x, step.head(n), mu, slope) : 1;
+    if (part <= 1e-8) {
+      result.stop_reason = "no part of the step is better";
+      break;
+    }
+    x += part * step.head(n);
+    l += part * step.tail(m);
+    const double dx = part * step.head(n).norm(), dl = part * step.tail(m).norm();
+    result.log.push_back({system.objective, system.stationarity(), system.violation(), dx, dl,
+                          x.norm(), l.norm(), shift, part});
     if (!small(dx, x.norm(), options.tolerance) || !small(dl, l.norm(), options.tolerance))
       continue;
     result.converged = true;
@@ -136,7 +187,7 @@ LagrangeNewtonResult lagrange_newton(Nlp& nlp, std::vector<double> start,
   result.objective = system.objective;
   result.stationarity = system.stationarity();
   result.violation = system.violation();
-  result.minimum = result.converged && system.minimum();
+  result.minimum = result.converged && positive(system.free_curvature());
   result.x.assign(x.data(), x.data() + n);
   result.multipliers.assign(l.data(), l.data() + m);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

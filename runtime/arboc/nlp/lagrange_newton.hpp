@@ -5,8 +5,10 @@
 //   [ F_xx  c_x^T ] [dx]     [ F_x ]
 //   [ c_x   0     ] [dl] = - [ c   ],     x += dx,  l += dl
 // It converges quadratically near a solution and not at all elsewhere, to minima, maxima and
-// saddles alike: what came out is said.  Programs with bounds and inequalities, or without a guess
-// that is near, are for solver.hpp.
+// saddles alike: what came out is said.  Safeguards lead there from further away: a multiple of the
+// identity on F_xx where that is not positive along the directions that rows leave free, and steps
+// shortened until f + mu |c|_1 falls; near a minimum neither acts.  Programs with bounds and
+// inequalities, or without a guess that is near, are for solver.hpp.
 #ifndef ARBOC_NLP_LAGRANGE_NEWTON_HPP
 #define ARBOC_NLP_LAGRANGE_NEWTON_HPP
 
@@ -20,12 +22,15 @@ struct LagrangeNewtonOptions {
   int max_iterations = 50;
   /// Stops where |dx| <= tolerance |x| and |dl| <= tolerance |l|, or both are below it.
   double tolerance = 1e-9;
+  bool safeguards = true;  ///< without: the iteration as written above
 };
 
 /// Before a step, and the step.
 struct LagrangeNewtonStep {
   double objective, stationarity, violation;  ///< |F_x|, |c|
   double dx, dl, x, l;                        ///< norms
+  double shift = 0;                           ///< of F_xx
+  double fraction = 1;                        ///< of the step that was taken
 };
 
 struct LagrangeNewtonResult {
