@@ -22,8 +22,9 @@ int run(int argc, char** argv) {
     return app.exit(e) == 0 ? 0 : 1;
   }
   const Task task = read_task(path);
-  const Question asked = question(task);
-  const Result result = report(asked, task.methods, task.rate);
+  Known plan;
+  const Question asked = question(task, plan);
+  const Result result = report(asked, task.methods, task.rate, plan);
   const study::Animation moving = animation(task.name, asked, result);
   const auto drawn = plots(asked, result);
   study::Files files = {{"result.json", json_text(task.name, asked, result)},

@@ -9,6 +9,8 @@
 #include <rotor_rates/rotor_rates.hpp>
 #include <stdexcept>
 
+#include "ladder/body.h"
+
 namespace optimal_control {
 namespace {
 
@@ -36,10 +38,23 @@ Model rotor_model() {
   return m;
 }
 
+/// Held at one hand; drawn from there.
+Model ladder_model(ladder::Hand held) {
+  const ladder::Tree& t = ladder::tree(held);
+  Model m{t, t.torques, nullptr, {}};
+  const auto& f = t.frames;
+  m.limbs = {{f[ladder::kRightHand], f[ladder::kRightElbow], f[ladder::kRightShoulder],
+              f[ladder::kLeftShoulder], f[ladder::kLeftElbow], f[ladder::kLeftHand]},
+             {f[ladder::kRightShoulder], f[ladder::kThighs], f[ladder::kShanks], f[ladder::kFeet]},
+             {f[ladder::kLeftShoulder], f[ladder::kThighs]}};
+  return m;
+}
+
 }  // namespace
 
 const Model& model(const std::string& name) {
-  static const std::vector<Model> models = {lifter_model(), rotor_model()};
+  static const std::vector<Model> models = {
+      lifter_model(), rotor_model(), ladder_model(ladder::kRight), ladder_model(ladder::kLeft)};
   std::string known;
   for (const Model& m : models) {
     if (m.name == name) return m;

@@ -6,6 +6,8 @@
 #include <arboc/nlp/assembly.hpp>
 #include <arboc/nlp/scalars.hpp>
 
+#include "ladder/plan.h"
+
 namespace optimal_control {
 namespace {
 
@@ -67,8 +69,12 @@ class Formulation {
     const int limits = limits_ ? p_.add_group("torques", "N m") : -1;
     for (Eigen::Index k = 0; k < rule.instants.size(); ++k) {
       const auto tau = p_.evaluate(m.torques, state(rule.instants[k], 3));
+      const double root = std::sqrt(rule.weights[k]);
       for (int j = 0; j < m.size(); ++j) {
-        p_.minimise("torque", rule.weights[k], nlp::square(), {tau[j]});
+        p_.minimise("torque", 1, nlp::square(), {root * nlp::Affine(tau[j])});
+        if (q_.smoothness > 0)
+          p_.minimise("smoothness", q_.smoothness, nlp::square(),
+                      {root * value(j, rule.instants[k], 2)});
         const double low = m.tau_lower[j], high = m.tau_upper[j];
         if (limits_ && (std::isfinite(low) || std::isfinite(high)))
           p_.require(limits, tau[j], low, high, std::isfinite(high) ? high : -low);
@@ -109,15 +115,40 @@ Vector posture(const Model& model, const std::map<std::string, double>& angles) 
   return q;
 }
 
+/// The states of a period's ends in the tree of the hand that holds.
+Known ladder_period(const LadderPeriod& of, Question& q) {
+  const ladder::Plan plan = ladder::plan(ladder::read_task(of.task));
+  if (of.period >= static_cast<int>(plan.periods.size()))
+    throw std::invalid_argument("the traverse has no period " + std::to_string(of.period));
+  const ladder::Period period = plan.periods[static_cast<std::size_t>(of.period)];
+  const ladder::Tree& tree = ladder::tree(period.held);
+  q.model = &model(tree.name);
+  q.duration = period.duration();
+  const Known known = [period, &tree](double t, Vector& x, Vector& v, Vector& a) {
+    const ladder::State s = period.at(period.begin + t);
+    x = tree.own(s.q), v = tree.own(s.v), a = tree.own(s.a);
+  };
+  known(0, q.start.q, q.start.v, q.start.a);
+  known(q.duration, q.end.q, q.end.v, q.end.a);
+  return known;
+}
+
+/// Int sum tau^2 dt, as the program adds it up.
+double torque_part(nlp::Assembly& program, const std::vector<double>& x) {
+  program.move_to(x.data());
+  return program.costs().at("torque");
+}
+
 Answer newton(const Formulation& f, const Question& q) {
   nlp::Assembly program(f.problem());
   nlp::LagrangeNewtonOptions options;
   options.max_iterations = q.max_iterations;
   const nlp::LagrangeNewtonResult r = nlp::lagrange_newton(program, f.start(), options);
+  const double cost = torque_part(program, r.x);
   return {Method::kLagrangeNewton,
           r.converged,
           r.stop_reason,
-          r.objective,
+          cost,
           static_cast<int>(r.log.size()),
           r.minimum,
           r.violation,
@@ -140,7 +171,7 @@ Answer ipopt(const Formulation& f, const Question& q) {
   return {Method::kIpopt,
           s.status == nlp::Status::kOptimal,
           s.reason,
-          s.objective,
+          torque_part(program, s.x),
           s.iterations,
           false,
           violation,
@@ -151,23 +182,27 @@ Answer ipopt(const Formulation& f, const Question& q) {
 
 }  // namespace
 
-Question question(const Task& task) {
+Question question(const Task& task, Known& plan) {
   Question q;
-  q.model = &model(task.model);
-  const int n = q.model->size();
-  q.duration = task.duration;
-  const Vector from = posture(*q.model, task.start), to = posture(*q.model, task.end);
-  const Vector rest = Vector::Zero(n), open;
-  q.start = {from, rest, task.smooth_ends ? rest : open};
-  q.end = {task.reach ? open : to, rest, task.smooth_ends ? rest : open};
-  q.reach = task.reach;
-  q.basis =
-      arboc::BSplineBasis::clamped_uniform(task.degree, task.control_points, 0, task.duration);
+  Known guess;
+  if (task.ladder) {
+    guess = plan = ladder_period(*task.ladder, q);
+  } else {
+    q.model = &model(task.model);
+    const Vector from = posture(*q.model, task.start), to = posture(*q.model, task.end);
+    const Vector rest = Vector::Zero(q.model->size()), open;
+    q.duration = task.duration;
+    q.start = {from, rest, task.smooth_ends ? rest : open};
+    q.end = {task.reach ? open : to, rest, task.smooth_ends ? rest : open};
+    q.reach = task.reach;
+    guess = quintic(from, to, task.duration);
+  }
+  q.basis = arboc::BSplineBasis::clamped_uniform(task.degree, task.control_points, 0, q.duration);
   q.points_per_span = task.points_per_span;
+  q.smoothness = task.smoothness;
   q.limits = task.limits;
   q.max_iterations = task.max_iterations;
-  const Known guess = quintic(from, to, task.duration);
-  Eigen::MatrixXd values(n, task.control_points);
+  Eigen::MatrixXd values(q.model->size(), task.control_points);
   const Eigen::VectorXd instants = q.basis.greville();
   Vector x, v, a;
   for (Eigen::Index k = 0; k < instants.size(); ++k) {

@@ -13,6 +13,9 @@
 
 namespace optimal_control {
 
+/// A motion that is known already, as guess and to compare with.
+using Known = std::function<void(double t, Vector& q, Vector& v, Vector& a)>;
+
 /// A state at one end of the motion; what is not there is free.
 struct End {
   Vector q, v, a;
@@ -26,13 +29,13 @@ struct Question {
   std::optional<Reach> reach;  ///< at the end, instead of end.q
   arboc::BSplineBasis basis = arboc::BSplineBasis::clamped_uniform(3, 4, 0, 1);
   int points_per_span = 4;
+  double smoothness = 0;
   Eigen::MatrixXd guess;  ///< control points: joints x points
   bool limits = true;
   int max_iterations = 50;
 };
-Question question(const Task& task);
-/// A motion between full states that is known already, as guess and to compare with.
-using Known = std::function<void(double t, Vector& q, Vector& v, Vector& a)>;
+/// With the plan of a ladder's period in `plan`; otherwise that stays empty.
+Question question(const Task& task, Known& plan);
 
 struct Answer {
   Method method = Method::kLagrangeNewton;

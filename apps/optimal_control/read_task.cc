@@ -63,13 +63,22 @@ Task read_task(const std::string& path) {
   Task task;
   task.name = table.text("name", std::filesystem::path(path).stem().string());
   table.text("base", "");
-  task.model = table.text("model");
+  if (auto ladder = table.table("ladder")) {
+    const auto beside = std::filesystem::path(path).parent_path();
+    task.ladder =
+        LadderPeriod{(beside / ladder->text("task")).string(), ladder->whole("period", 0, 0)};
+    ladder->finish();
+  } else {
+    task.model = table.text("model");
+  }
   task.duration = table.number("duration", task.duration);
   if (!(task.duration > 0)) table.fail("duration is not above 0");
   task.start = angles(table, "start");
   task.end = angles(table, "end");
   if (const auto reach = table.table("reach")) task.reach = read_reach(*reach);
   task.smooth_ends = table.flag("smooth_ends", task.smooth_ends);
+  task.smoothness = table.number("smoothness", task.smoothness);
+  if (!(task.smoothness >= 0)) table.fail("smoothness is below 0");
   task.degree = table.whole("degree", task.degree, 2);
   task.control_points = table.whole("control_points", task.control_points, task.degree + 1);
   task.points_per_span = table.whole("points_per_span", task.points_per_span, 1);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <arboc/measures/energy.hpp>
 #include <nlohmann/json.hpp>
 
 namespace optimal_control {
@@ -45,6 +46,7 @@ std::string json_text(const std::string& task, const Question& question, const R
   json["stop_reason"] = r.answers[0].stop_reason;
   json["duration_s"] = question.duration;
   json["before"] = {{"cost", r.before.cost}, {"energy", r.before.energy}};
+  if (const char* warning = arboc::jerk_warning(question.basis)) json["warning"] = warning;
   json["answers"] = Json::array();
   for (std::size_t k = 0; k < r.answers.size(); ++k)
     json["answers"].push_back(of(r.answers[k], r.after[k]));
@@ -114,7 +116,9 @@ study::Page page(const std::string& task, const Question& question, const Result
     answers.rows.push_back({title(a), fmt::format("{:.6g}", a.cost), std::to_string(a.iterations),
                             fmt::format("{:.1f} ms", 1e3 * a.seconds), a.stop_reason});
   }
-  study::PageTable energy{"Energy expenditure", {"measure", "quintic"}, {}};
+  if (const char* warning = arboc::jerk_warning(question.basis))
+    out.paragraphs.push_back(std::string("Of the measures: ") + warning + ".");
+  study::PageTable energy{"Energy expenditure", {"measure", "plan"}, {}};
   for (const Answer& a : r.answers) energy.header.push_back(title(a));
   for (const auto& [name, value] : r.before.energy) {
     energy.rows.push_back({name, fmt::format("{:.4g}", value)});

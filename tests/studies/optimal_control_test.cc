@@ -18,8 +18,12 @@ using oc::Vector;
 
 const std::string kTasks = ARBOC_SOURCE_DIR "/apps/optimal_control/tasks/";
 
+oc::Question question(const oc::Task& task) {
+  oc::Known plan;
+  return oc::question(task, plan);
+}
 oc::Question question(const std::string& name) {
-  return oc::question(oc::read_task(kTasks + name + ".toml"));
+  return question(oc::read_task(kTasks + name + ".toml"));
 }
 
 TEST(OptimalControl, OneJointIsKnownInClosedForm) {
@@ -43,7 +47,7 @@ TEST(OptimalControl, ClosedFormScales) {
   task.end["q"] = -0.7;
   for (const int degree : {3, 4, 5}) {
     task.degree = degree;
-    const oc::Answer a = oc::solve(oc::question(task), oc::Method::kLagrangeNewton);
+    const oc::Answer a = oc::solve(question(task), oc::Method::kLagrangeNewton);
     EXPECT_NEAR(a.cost, 12 * 0.49 / std::pow(2.5, 3), 1e-9) << degree;
     EXPECT_TRUE(a.minimum);
     EXPECT_LE(a.iterations, 2);  // a quadratic program
@@ -115,6 +119,31 @@ TEST(OptimalControl, LimitsAndReachHold) {
   // Limits cost something, and less than the quintic does.
   EXPECT_LT(a.cost, oc::torque_cost(m, oc::quintic(a.motion(0), a.motion(q.duration), q.duration),
                                     q.duration));
+}
+
+/// Against the plan of a traverse: the same states at both ends, less torque.
+TEST(OptimalControl, APeriodOfTheLadder) {
+  oc::Known plan;
+  const oc::Question q = oc::question(oc::read_task(kTasks + "ladder_period.toml"), plan);
+  ASSERT_TRUE(plan);
+  const oc::Result r = oc::report(q, {oc::Method::kLagrangeNewton, oc::Method::kIpopt}, 60, plan);
+  for (const oc::Answer& a : r.answers) {
+    ASSERT_TRUE(a.found) << a.stop_reason;
+    EXPECT_LT(a.cost, 0.7 * r.before.cost);
+    EXPECT_NEAR(a.cost, r.answers[0].cost, 1e-5 * a.cost);
+    // The splines' own quadrature against a finer one.
+    EXPECT_NEAR(a.cost, oc::torque_cost(*q.model, oc::known(a.motion), q.duration), 1e-2 * a.cost);
+    Vector x, v, acceleration;
+    for (const double t : {0.0, q.duration}) {
+      plan(t, x, v, acceleration);
+      EXPECT_LT((a.motion(t) - x).norm(), 1e-8);
+      EXPECT_LT((a.motion(t, 1) - v).norm(), 1e-6);
+      EXPECT_LT((a.motion(t, 2) - acceleration).norm(), 1e-4);
+    }
+  }
+  EXPECT_TRUE(r.answers[0].minimum);
+  EXPECT_EQ(r.before.energy.size(), 5U);
+  EXPECT_LT(r.after[0].energy.at("effort"), r.before.energy.at("effort"));
 }
 
 TEST(OptimalControl, StopsAreReported) {
