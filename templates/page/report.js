@@ -233,4 +233,4 @@ startView();
 $("reset").addEventListener("click", () => reset(home));
 $("random").addEventListener("click", () =>
   reset((lower, upper, anywhere) => anywhere ? 0 : lower + Math.random() * (upper - lower)));
-Object.assign(window.arboc, { view, q: () => Array.from(q) });
+Object.assign(window.arboc, { view, q: () => Array.from(q), forces: () => Array.from(forces) });

@@ -58,13 +58,17 @@ def run(*command):
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
-def reference(model, frames, q, options):
-    """Origins of frames in the world by the plain engine, which knows nothing of graphs."""
+def evaluated(model, function, q, *options):
+    """By the plain engine, which knows nothing of graphs."""
     states = pathlib.Path(SCRATCH.name) / "q.csv"
     states.write_text(",".join(repr(x) for x in q) + "\n")
-    selected = ["--frames", ",".join(frames)] if frames else []
-    row = [float(x) for x in run(os.environ["ARBOC"], "eval", model, "--function", "fk", "--engine",
-                                 "reference", "--q", states, *selected, *options).split(",")]
+    return [float(x) for x in run(os.environ["ARBOC"], "eval", model, "--function", function,
+                                  "--engine", "reference", "--q", states, *options).split(",")]
+
+
+def reference(model, frames, q, options):
+    """Origins of frames in the world."""
+    row = evaluated(model, "fk", q, "--frames", ",".join(frames), *options)
     return [row[k + 9:k + 12] for k in range(0, len(row), 12)]
 
 
@@ -165,6 +169,13 @@ class Pages(unittest.TestCase):
         for (name, *_), value in zip(controls, q):
             self.slide(name, "q", value)
         self.assertEqual(self.compare(model, self.values(q)), len(self.shown()))
+        forces = evaluated(model, "gravity", self.browser.run("return window.arboc.q()"))
+        shown = self.browser.run("return window.arboc.forces()")
+        said = self.browser.run("return [...document.querySelectorAll('#joints .head .number')].map("
+                                "(force) => parseFloat(force.textContent))")
+        for force, number, text in zip(forces, shown, said, strict=True):
+            self.assertLess(abs(force - number), 1e-11)  # of some 60 N m
+            self.assertAlmostEqual(force, text, delta=0.00501)
         after = self.picture("arm moved")
         self.assertGreater(bones(after), 800)
         changed = sum(count for count, pixel in
