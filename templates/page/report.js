@@ -48,7 +48,8 @@ const TURNS = [["roll", -Math.PI, Math.PI], ["pitch", -Math.PI / 2, Math.PI / 2]
   ["yaw", -Math.PI, Math.PI]];
 const PLACES = (reach) => ["x", "y", "z"].map((axis) => [axis, -reach, reach, true]);
 
-/// Sliders of a joint, [label, lower, upper, whether it goes anywhere], and how their values become coordinates.
+/// Sliders of a joint, [label, lower, upper, whether it goes anywhere], and how their values become
+/// coordinates.
 function sliders({ type, lower, upper }) {
   const one = (low, high, free) => [["q", lower ?? low, upper ?? high, free && lower === null]];
   const copy = (x) => x;
@@ -106,8 +107,8 @@ function fillHead() {
   document.title = $("name").textContent = model.name;
   $("summary").textContent = `${links.length} links, ${model.nv} degrees of freedom, ` +
     `${Number(model.mass.toPrecision(6))} kg, gravity (${model.gravity.join(", ")}) m/s²`;
-  $("origin").textContent = `${model.file}, SHA-256 ${model.sha256.slice(0, 16)}…; arboc ${model.version}` +
-    (model.options.length ? `; ${model.options.join(" ")}` : "");
+  $("origin").textContent = `${model.file}, SHA-256 ${model.sha256.slice(0, 16)}…; ` +
+    `arboc ${model.version}` + (model.options.length ? `; ${model.options.join(" ")}` : "");
 }
 
 let lit = -1;
@@ -124,9 +125,11 @@ function fillLinks() {
     ...["mass, kg", "x", "y", "z"].map((t) => head(t, "number")), head("remarks")));
   links.forEach((link, k) => {
     const at = ["x", "y", "z"].map(() => number(""));
-    const remarks = diagnostics.filter((d) => d.severity !== "note" && d.element.includes(`'${link.name}'`));
-    const row = element("tr", { className: "link" }, cell(link.name), cell(link.joint), cell(link.type),
-      cell(link.parent), number(Number(link.mass.toPrecision(6))), ...at, cell(remarks.map((d) => d.message).join("; ")));
+    const remarks = diagnostics.filter(
+      (d) => d.severity !== "note" && d.element.includes(`'${link.name}'`)).map((d) => d.message);
+    const row = element("tr", { className: "link" },
+      ...[link.name, link.joint, link.type, link.parent].map((text) => cell(text)),
+      number(Number(link.mass.toPrecision(6))), ...at, cell(remarks.join("; ")));
     row.addEventListener("click", () => light(k));
     $("links").append(row);
     shown.push(() => at.forEach((x, i) => {
@@ -152,11 +155,8 @@ function fillDiagnostics() {
 }
 
 function fillOperations() {
-  $("operations-text").textContent = "Floating-point instructions of one call, by the link whose step " +
-    "of the recursion they belong to; a fused multiply-add counts once, and sines, which are taken " +
-    "first and together, are counted apart. “Limbs in lanes” is what remains where limbs that are " +
-    "alike go in the lanes of vectors." +
-    (operations.absent.length ? ` Left out: ${operations.absent.join("; ")}.` : "");
+  if (operations.absent.length)
+    $("operations-text").append(` Left out: ${operations.absent.join("; ")}.`);
   const table = $("operations"), functions = operations.functions;
   table.append(element("tr", {}, head("link"), ...functions.map((f) => head(f.name, "number"))));
   for (const row of operations.rows)
@@ -193,13 +193,13 @@ function fillMatrices() {
 }
 
 function fillCost() {
-  $("cost-text").textContent = `Estimated, not measured here: ${cost.s_per_file} s of CPU a file and ` +
-    `${cost.ms_per_operation} ms an operation, which is what ${cost.compiler} needed for the functions of ` +
-    "several models; files are compiled in parallel. arboc bench MODEL --compile measures yours.";
+  $("cost-text").append(` ${cost.s_per_file} s of CPU a file and ${cost.ms_per_operation} ms an ` +
+    `operation, by ${cost.compiler}.`);
   $("cost").append(element("tr", {}, head("function"), head("operations", "number"),
     head("CPU, s", "number")));
   for (const f of cost.functions)
-    $("cost").append(element("tr", {}, cell(f.name), number(f.operations), number(f.seconds.toFixed(2))));
+    $("cost").append(element("tr", {}, cell(f.name), number(f.operations),
+      number(f.seconds.toFixed(2))));
 }
 
 function startView() {
@@ -210,7 +210,7 @@ function startView() {
     return;
   }
   view.show(Array.from(placements));
-  view.turning = true;
+  view.turning = !matchMedia("(prefers-reduced-motion: reduce)").matches;
   $("turn").addEventListener("click", () => { view.turning = !view.turning; });
 }
 

@@ -155,7 +155,7 @@ class Pages(unittest.TestCase):
         model = MODELS / "ur5/ur5.urdf"
         self.report(model)
         self.check_load(pathlib.Path(SCRATCH.name) / "page.html")
-        self.browser.run("window.arboc.view.turning = false; window.arboc.view.keepInView = () => {}")
+        self.browser.run("window.arboc.view.keepInView = () => {}")  # the camera stands still
         controls = self.browser.run(
             "return window.arboc.data.report.controls.map((c) => [c.name, c.lower, c.upper])")
         self.assertEqual(len(controls), 6)
@@ -199,13 +199,22 @@ class Pages(unittest.TestCase):
             keep(picture, name)
         return picture
 
-    def test_turns_by_itself(self):
-        self.report(MODELS / "double_pendulum/double_pendulum.urdf")
-        self.assertTrue(self.browser.run("return window.arboc.view.turning"))
+    def test_turns_by_itself_where_people_like_that(self):
+        self.assertFalse(self.turning("reduce"))
+        self.assertTrue(self.turning("no-preference"))
         before = self.browser.run("return window.arboc.view.camera.position.toArray()")
         self.browser.wait("window.arboc.view.renderer.info.render.frame > 5")
         after = self.browser.run("return window.arboc.view.camera.position.toArray()")
         self.assertGreater(math.dist(before, after), 1e-6)
+
+    def turning(self, preference):
+        self.browser.command("POST", "/goog/cdp/execute", {
+            "cmd": "Emulation.setEmulatedMedia",
+            "params": {"features": [{"name": "prefers-reduced-motion", "value": preference}]}})
+        self.addCleanup(self.browser.command, "POST", "/goog/cdp/execute", {
+            "cmd": "Emulation.setEmulatedMedia", "params": {"features": []}})
+        self.report(MODELS / "double_pendulum/double_pendulum.urdf")
+        return self.browser.run("return window.arboc.view.turning")
 
     def test_walker_on_a_floating_base(self):
         model = MODELS / "quadruped/quadruped.urdf"

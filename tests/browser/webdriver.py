@@ -16,6 +16,7 @@ from PIL import Image
 ARGUMENTS = [
     "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars",
     "--window-size=1280,1000", "--force-device-scale-factor=1",
+    "--force-prefers-reduced-motion",  # pages stand still unless a test wants more
     # WebGL by a software rasteriser, the same on every machine.
     "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
 ]
@@ -106,5 +107,11 @@ class Browser:
         """A screenshot of an element, RGB."""
         found = self.command("POST", "/element", {"using": "css selector", "value": selector})
         (element,) = found.values()
-        png = base64.b64decode(self.command("GET", f"/element/{element}/screenshot"))
+        for patience in (3, 2, 1, 0):  # the driver waits ten seconds, a busy machine may need more
+            try:
+                png = base64.b64decode(self.command("GET", f"/element/{element}/screenshot"))
+                break
+            except RuntimeError as error:
+                if patience == 0 or "timeout" not in str(error):
+                    raise
         return Image.open(io.BytesIO(png)).convert("RGB")

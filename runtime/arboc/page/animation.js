@@ -12,12 +12,13 @@ function check(condition, message) {
 }
 
 function checkMotion() {
-  check(motion.format === "arboc-motion/1", `format is ${motion.format}, not arboc-motion/1`);
-  const { time, poses, skeleton } = motion;
-  check(time?.length > 0 && poses?.length === time.length, "as many poses as instants, at least one");
+  const { time, poses, skeleton, format } = motion;
+  check(format === "arboc-motion/1", `format is ${format}, not arboc-motion/1`);
+  check(time?.length > 0 && poses?.length === time.length, "a pose an instant, at least one");
   time.forEach((t, k) => check(k === 0 || t > time[k - 1], "instants ascend"));
   for (const p of poses) poseWidth(p, skeleton.bodies.length);
-  skeleton.bodies.forEach((body, k) => check(body.parent < k, `parent of ${body.name} is before it`));
+  skeleton.bodies.forEach((body, k) =>
+    check(body.parent < k, `the parent of ${body.name} comes before it`));
   for (const curve of motion.curves ?? [])
     check(curve.values.length === time.length, `curve ${curve.name}: a value an instant`);
   for (const force of motion.forces ?? [])
@@ -64,23 +65,23 @@ function svg(name, attributes, text) {
 /// A curve over time with its bounds; returns what moves its cursor.
 function plot(curve) {
   const { time } = motion;
-  const width = 600, height = 110, left = 60, top = 20;
-  const all = [...curve.values, ...[curve.lower, curve.upper].filter((x) => Number.isFinite(x))];
-  const low = Math.min(...all), high = Math.max(...all), span = high - low || 1;
-  const x = (t) => left + (width - left - 10) * (t - time[0]) / (time.at(-1) - time[0] || 1);
-  const y = (value) => top + (height - top - 12) * (1 - (value - low) / span);
+  const width = 600, height = 110, left = 60, right = width - 10, top = 20, bottom = height - 12;
+  const bounds = [curve.lower, curve.upper].filter((x) => Number.isFinite(x));
+  const low = Math.min(...curve.values, ...bounds), high = Math.max(...curve.values, ...bounds);
+  const x = (t) => left + (right - left) * (t - time[0]) / (time.at(-1) - time[0] || 1);
+  const y = (value) => bottom - (bottom - top) * (value - low) / (high - low || 1);
   const picture = svg("svg", { width, height, viewBox: `0 0 ${width} ${height}`, "font-size": 11 });
-  picture.append(svg("text", { x: left, y: 12, fill: "#1d2733" }, `${curve.name} (${curve.unit ?? "1"})`));
+  picture.append(svg("text", { x: left, y: 12 }, `${curve.name} (${curve.unit ?? "1"})`));
   for (const value of [low, high])
-    picture.append(svg("text", { x: left - 6, y: y(value) + 4, "text-anchor": "end", fill: "#5d6b7a" },
+    picture.append(svg("text", { x: left - 6, y: y(value) + 4, "text-anchor": "end" },
       value.toPrecision(3)));
-  for (const bound of [curve.lower, curve.upper].filter((b) => Number.isFinite(b)))
-    picture.append(svg("line", { x1: left, x2: width - 10, y1: y(bound), y2: y(bound), stroke: "#c2571a",
-      "stroke-dasharray": "4 3" }));
-  picture.append(svg("polyline", { fill: "none", stroke: "#1f6fb2", "stroke-width": 1.5,
-    points: curve.values.map((value, k) => `${x(time[k]).toFixed(1)},${y(value).toFixed(1)}`).join(" ") }));
-  const cursor = svg("line", { y1: top, y2: height - 12, stroke: "#1d2733" });
-  picture.append(cursor);
+  for (const value of bounds)
+    picture.append(svg("line", { x1: left, x2: right, y1: y(value), y2: y(value),
+      stroke: "#c2571a", "stroke-dasharray": "4 3" }));
+  const points = curve.values.map((value, k) => `${x(time[k]).toFixed(1)},${y(value).toFixed(1)}`);
+  const cursor = svg("line", { y1: top, y2: bottom, stroke: "#1d2733" });
+  picture.append(cursor, svg("polyline", { points: points.join(" "), fill: "none",
+    stroke: "#1f6fb2", "stroke-width": 1.5 }));
   $("curves").append(picture);
   return (t) => {
     cursor.setAttribute("x1", x(t));
@@ -88,75 +89,81 @@ function plot(curve) {
   };
 }
 
-function start() {
-  checkMotion();
-  const { time, skeleton } = motion;
-  $("title").textContent = motion.title ?? document.title;
-  $("text").textContent = motion.text ?? "";
-  const view = new SkeletonView($("view"), skeleton, boundsOf(motion.poses, skeleton.bodies.length));
-  for (const p of motion.points ?? []) view.point(p.position, p.colour);
-  for (const p of motion.paths ?? []) view.path(p.positions, p.colour);
-  const forces = (motion.forces ?? []).map((force) => ({ force, arrow: view.arrow(force.colour) }));
-  const largest = Math.max(1e-12,
-    ...forces.flatMap(({ force }) => force.vector.map((v) => Math.hypot(...v))));
-  const cursors = (motion.curves ?? []).map(plot);
-  let t = time[0], playing = false, last = 0, root = null;
+/// Arrows that grow with the forces, the longest 0.3 of the scene; returns what sets them.
+function arrows(view) {
+  const forces = motion.forces ?? [];
+  const sizes = forces.flatMap(({ vector }) => vector.map((v) => Math.hypot(...v)));
+  const scale = 0.3 * view.size / Math.max(1e-12, ...sizes);
+  const drawn = forces.map((force) => ({ force, arrow: view.arrow(force.colour) }));
+  return ({ k, part }) => {
+    const next = Math.min(k + 1, motion.time.length - 1);
+    for (const { force, arrow } of drawn)
+      arrow.set(between(force.at[k], force.at[next], part),
+        between(force.vector[k], force.vector[next], part).map((x) => x * scale));
+  };
+}
 
-  function show() {
-    const at = instant(t);
-    const poses = posesAt(at);
-    view.show(poses);
-    const next = Math.min(at.k + 1, time.length - 1);
-    for (const { force, arrow } of forces)
-      arrow.set(between(force.at[at.k], force.at[next], at.part),
-        between(force.vector[at.k], force.vector[next], at.part)
-          .map((x) => x * 0.3 * view.size / largest));
-    for (const move of cursors) move(t);
-    follow(poses);
+class Player {
+  constructor() {
+    const { skeleton, time } = motion;
+    this.bodies = skeleton.bodies.length;
+    this.view = new SkeletonView($("view"), skeleton, boundsOf(motion.poses, this.bodies));
+    for (const p of motion.points ?? []) this.view.point(p.position, p.colour);
+    for (const p of motion.paths ?? []) this.view.path(p.positions, p.colour);
+    this.setArrows = arrows(this.view);
+    this.cursors = (motion.curves ?? []).map(plot);
+    this.playing = false;
+    [$("time").min, $("time").max] = [time[0], time.at(-1)];
+    this.show(time[0]);
+    $("time").addEventListener("input", () => {
+      this.play(false);
+      this.show(Number($("time").value));
+    });
+    $("play").addEventListener("click", () => this.play(!this.playing));
+  }
+
+  show(t) {
+    this.t = t;
+    const at = instant(t), poses = posesAt(at);
+    this.view.show(poses);
+    this.setArrows(at);
+    for (const move of this.cursors) move(t);
+    this.#follow(origin(poses, poseWidth(poses, this.bodies), 0));
     $("time").value = t;
     $("now").textContent = `${t.toFixed(3)} s`;
   }
 
+  play(on) {
+    const { time } = motion;
+    this.playing = on;
+    $("play").textContent = on ? "pause" : "play";
+    if (on && this.t >= time.at(-1)) this.t = time[0];
+    this.last = performance.now();
+    if (on) requestAnimationFrame((now) => this.#step(now));
+  }
+
+  #step(now) {
+    if (!this.playing) return;
+    const end = motion.time.at(-1);
+    this.show(Math.min(this.t + Number($("speed").value) * (now - this.last) / 1000, end));
+    this.last = now;
+    if (this.t < end) requestAnimationFrame((next) => this.#step(next));
+    else this.play(false);
+  }
+
   /// The camera goes along with the first body.
-  function follow(poses) {
-    const now = origin(poses, poseWidth(poses, skeleton.bodies.length), 0);
-    if (root && $("follow").checked) {
-      now.forEach((x, i) => {
-        const axis = "xyz"[i];
-        view.camera.position[axis] += x - root[i];
-        view.controls.target[axis] += x - root[i];
+  #follow(now) {
+    if (this.root && $("follow").checked) {
+      ["x", "y", "z"].forEach((axis, i) => {
+        this.view.camera.position[axis] += now[i] - this.root[i];
+        this.view.controls.target[axis] += now[i] - this.root[i];
       });
     }
-    root = now;
+    this.root = now;
   }
-
-  function play(on) {
-    playing = on;
-    $("play").textContent = on ? "pause" : "play";
-    if (on && t >= time.at(-1)) t = time[0];
-    last = performance.now();
-    if (on) requestAnimationFrame(step);
-  }
-
-  function step(now) {
-    if (!playing) return;
-    t = Math.min(t + Number($("speed").value) * (now - last) / 1000, time.at(-1));
-    last = now;
-    show();
-    if (t < time.at(-1)) requestAnimationFrame(step);
-    else play(false);
-  }
-
-  $("time").min = time[0];
-  $("time").max = time.at(-1);
-  $("time").addEventListener("input", () => {
-    play(false);
-    t = Number($("time").value);
-    show();
-  });
-  $("play").addEventListener("click", () => play(!playing));
-  show();
-  window.arboc.view = view;
 }
 
-start();
+checkMotion();
+$("title").textContent = motion.title ?? document.title;
+$("text").textContent = motion.text ?? "";
+window.arboc.view = new Player().view;

@@ -48,11 +48,17 @@ function place(object, poses, width, body) {
   object.quaternion.setFromRotationMatrix(m);
 }
 
-/// A rod of unit length along +y from the origin, of given radius.
-function rod(radius, material) {
-  const mesh = new THREE.Mesh(new THREE.CylinderGeometry(radius, radius, 1, 12), material);
-  mesh.geometry.translate(0, 0.5, 0);
-  return mesh;
+/// What bodies are drawn of, each once: a rod of unit length along +y from the origin, of the others
+/// what fits a scene of this size.
+function shapesOf(size) {
+  const r = 0.016 * size;
+  return {
+    rod: new THREE.CylinderGeometry(0.5 * r, 0.5 * r, 1, 12).translate(0, 0.5, 0),
+    knot: new THREE.SphereGeometry(0.6 * r, 16, 10),
+    hinge: new THREE.CylinderGeometry(r, r, 2.2 * r, 20),
+    slide: new THREE.BoxGeometry(1.2 * r, 3.4 * r, 1.2 * r),
+    ball: new THREE.SphereGeometry(1, 20, 12),
+  };
 }
 
 function stretch(mesh, from, to) {
@@ -77,6 +83,7 @@ export class SkeletonView {
     this.scene.background = new THREE.Color(0xf6f8fa);
     this.up = new THREE.Vector3(...(skeleton.up ?? [0, 0, 1])).normalize();
     this.size = Math.max(box.getSize(new THREE.Vector3()).length(), 0.1);
+    this.shapes = shapesOf(this.size);
     this.#light();
     this.#ground(box);
     this.#build();
@@ -135,8 +142,9 @@ export class SkeletonView {
 
   /// A point of the world, as a small ball.
   point(position, colour = COLOURS.lit) {
-    const ball = new THREE.Mesh(new THREE.SphereGeometry(0.016 * this.size, 20, 12),
+    const ball = new THREE.Mesh(this.shapes.ball,
       new THREE.MeshLambertMaterial({ color: colour }));
+    ball.scale.setScalar(0.016 * this.size);
     ball.position.set(...position);
     this.scene.add(ball);
     this.dirty = true;
@@ -208,15 +216,13 @@ export class SkeletonView {
     this.axes.visible = false;
     this.bones = this.bodies.map((body) => {
       if (body.parent < 0) return null;
-      const bone = rod(0.008 * this.size, this.materials.bone);
+      const bone = new THREE.Mesh(this.shapes.rod, this.materials.bone);
       this.scene.add(bone);
       return bone;
     });
     this.frames = this.bodies.map((body) => {
       const frame = new THREE.Group();
-      const knot = new THREE.Mesh(new THREE.SphereGeometry(0.0095 * this.size, 16, 10),
-        this.materials.bone);
-      frame.add(knot);
+      frame.add(new THREE.Mesh(this.shapes.knot, this.materials.bone));
       if (body.joint?.axis) frame.add(this.#joint(body.joint, joint));
       if (body.mass > 0 && body.com) frame.add(this.#mass(body, heaviest, mass));
       this.scene.add(frame);
@@ -226,10 +232,8 @@ export class SkeletonView {
 
   /// A short cylinder about the axis of a joint that turns, a box along that of one that slides.
   #joint({ type, axis }, material) {
-    const r = 0.016 * this.size;
-    const geometry = TURNING.has(type) ? new THREE.CylinderGeometry(r, r, 2.2 * r, 20)
-      : new THREE.BoxGeometry(1.2 * r, 3.4 * r, 1.2 * r);
-    const mesh = new THREE.Mesh(geometry, material);
+    const { hinge, slide } = this.shapes;
+    const mesh = new THREE.Mesh(TURNING.has(type) ? hinge : slide, material);
     mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), new THREE.Vector3(...axis));
     return mesh;
   }
@@ -238,11 +242,11 @@ export class SkeletonView {
   #mass(body, heaviest, material) {
     const group = new THREE.Group();
     const at = new THREE.Vector3(...body.com);
-    const ball = new THREE.Mesh(
-      new THREE.SphereGeometry(0.03 * this.size * Math.cbrt(body.mass / heaviest), 20, 12), material);
+    const ball = new THREE.Mesh(this.shapes.ball, material);
+    ball.scale.setScalar(0.03 * this.size * Math.cbrt(body.mass / heaviest));
     ball.position.copy(at);
-    group.add(ball, new THREE.Line(new THREE.BufferGeometry().setFromPoints([new THREE.Vector3(), at]),
-      new THREE.LineBasicMaterial({ color: COLOURS.mass })));
+    const line = new THREE.BufferGeometry().setFromPoints([new THREE.Vector3(), at]);
+    group.add(ball, new THREE.Line(line, new THREE.LineBasicMaterial({ color: COLOURS.mass })));
     return group;
   }
 
