@@ -41,7 +41,8 @@ struct Cost {
   _exit(127);
 }
 
-/// Bytes of machine code in an object file (ELF, 64 bits); of other formats the whole file.
+/// Bytes of machine code and constants in an object file (ELF, 64 bits), what `size` calls text; of
+/// other formats the whole file.
 double text_bytes(const std::string& object) {
   std::ifstream in(object, std::ios::binary);
   const std::string bytes(std::istreambuf_iterator<char>(in), {});
@@ -56,7 +57,7 @@ double text_bytes(const std::string& object) {
     const size_t at = head.e_shoff + k * head.e_shentsize;
     if (at + sizeof section > bytes.size()) break;
     std::memcpy(&section, bytes.data() + at, sizeof section);
-    if (section.sh_flags & SHF_EXECINSTR) sum += static_cast<double>(section.sh_size);
+    if ((section.sh_flags & SHF_ALLOC) && !(section.sh_flags & SHF_WRITE)) sum += static_cast<double>(section.sh_size);
   }
   return sum;
 }

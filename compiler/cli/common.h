@@ -59,6 +59,8 @@ struct Common {
 void add_model_options(CLI::App& app, Common& common);
 void add_function_option(CLI::App& app, Common& common);
 void add_compiler_options(CLI::App& app, Common& common);
+/// --without, --optimise, --max-function-size.
+void add_text_options(CLI::App& app, FunctionOptions& options);
 /// --scalars: for what emitted functions are compiled.
 void add_scalar_option(CLI::App& app, Common& common);
 

@@ -42,24 +42,6 @@ Lock parse_lock(const std::string& text) {
   return lock;
 }
 
-Simplifications parse_without(const std::string& list) {
-  Simplifications simplify;
-  const std::pair<const char*, bool*> known[] = {{"frames", &simplify.frames},
-                                                 {"regroup", &simplify.regroup},
-                                                 {"fuse", &simplify.fuse},
-                                                 {"dead", &simplify.dead},
-                                                 {"limbs", &simplify.limbs}};
-  for (const std::string& word : split(list)) {
-    const auto* const found = std::find_if(std::begin(known), std::end(known),
-                                           [&](const auto& k) { return word == k.first; });
-    if (found == std::end(known))
-      throw UsageError(unknown("--without", "there is no simplification", word,
-                               {"frames", "regroup", "fuse", "dead", "limbs"}));
-    *found->second = false;
-  }
-  return simplify;
-}
-
 /// "damping,rotor" on top of what is there.
 JointForces parse_joint_forces(JointForces forces, const std::string& list) {
   const std::vector<std::string> given = split(list);
@@ -260,21 +242,10 @@ void add_request_options(CLI::App& app, Common& common) {
       ->capture_default_str()
       ->type_name("V")
       ->group("Functions");
-  app.add_option_function<std::string>(
-         "--without", [&f](const std::string& given) { f.simplify = parse_without(given); },
-         "simplifications to leave out, to see what they are worth: frames, regroup, fuse, dead, "
-         "limbs")
-      ->type_name("LIST")
-      ->group("Functions");
-  app.add_option("--max-function-size", f.max_function_size,
-                 "operations after which emitted code begins another function")
-      ->check(count())
-      ->capture_default_str()
-      ->type_name("N")
-      ->group("Functions");
   list("--parameters", f.parameters, "LIST",
        "numbers that stay inputs: gravity, masses, centres, inertias, lengths, or of one link or "
        "joint, masses:NAME");
+  add_text_options(app, f);
 }
 
 void add_compiler_options(CLI::App& app, Common& common) {

@@ -7,6 +7,7 @@
 #include "emit/arrays.h"
 #include "emit/cpp_stores.h"
 #include "emit/names.h"
+#include "program/limb_text.h"
 
 namespace arboc {
 namespace {
@@ -24,9 +25,17 @@ std::string list(const Program& program, const Arrays& arrays, bool types) {
   if (arrays.work) append("T* ARBOC_RESTRICT ", "w");
   for (int width = 2; width <= kMostLanes; ++width)
     if (arrays.lane_work[width])
-      append(fmt::format("arboc::lanes_t<T, {}>* ARBOC_RESTRICT ", width),
+      append((program.by_limb ? "T" : fmt::format("arboc::lanes_t<T, {}>", width)) +
+                 "* ARBOC_RESTRICT ",
              fmt::format("w{}", width));
   return out;
+}
+
+/// The comment that a statement of another block begins with.
+std::string block_text(const Program& program, const Statement& s, int& block) {
+  if (s.block == block) return {};
+  block = s.block;
+  return fmt::format("  // {}\n", comment_text(program.blocks[static_cast<size_t>(block)]));
 }
 
 std::string statements(const Program& program, const Chunk& chunk, int& block) {
@@ -34,9 +43,10 @@ std::string statements(const Program& program, const Chunk& chunk, int& block) {
   const auto line = [&](const std::string& text) { out += "  " + text + ";\n"; };
   const auto stores = store_lines(program, chunk);
   for (const Statement& s : chunk.statements) {
-    if (s.block != block)
-      out += fmt::format("  // {}\n",
-                         comment_text(program.blocks[static_cast<size_t>(block = s.block)]));
+    out += block_text(program, s, block);
+    const std::vector<std::string> apart = lanes_apart(program, s);
+    for (const std::string& lane : apart) line(lane);
+    if (!apart.empty()) continue;
     const std::string type = s.width == 1 ? "T" : fmt::format("V{}", s.width);
     line(fmt::format("const {} x{} = {}", type, s.local, text(program, s)));
     if (s.slot >= 0) line(fmt::format("{} = x{}", slot_text(s), s.local));
@@ -44,6 +54,23 @@ std::string statements(const Program& program, const Chunk& chunk, int& block) {
       line(store);
   }
   return out;
+}
+
+/// Those of one limb, whose number is `limb`; tables go to `definitions`.
+std::string limb_statements(const Program& program, size_t c, int& block,
+                            std::string& definitions) {
+  const Chunk& chunk = program.chunks[c];
+  LimbText limb(program, chunk);
+  std::string body, out;
+  for (const Statement& s : chunk.statements) {
+    body += block_text(program, s, block);
+    body += fmt::format("  const T x{} = {};\n", s.local, limb.value(s));
+    for (const std::string& store : limb.stores(s)) body += "  " + store + ";\n";
+  }
+  const LimbText::Tables tables = limb.tables(fmt::format("part{}", c));
+  for (const std::string& table : tables.definitions) definitions += table + ";\n";
+  for (const std::string& row : tables.rows) out += "  " + row + ";\n";
+  return out + body;
 }
 
 /// Names of the vector types that a piece of code uses.
@@ -63,26 +90,38 @@ class Writer {
   }
 
   ProgramText run() {
-    std::string parts, calls;
-    if (!program_.angles.empty()) add_part(parts, calls, "angles", angle_arrays(), angle_body());
+    if (!program_.angles.empty()) add_part({"angles"}, angle_arrays(), angle_body());
     int block = -1;
     for (size_t c = 0; c < program_.chunks.size(); ++c) {
+      const Chunk& chunk = program_.chunks[c];
+      if (chunk.statements.empty()) continue;
       Arrays arrays;
-      arrays.chunk(program_.chunks[c]);
-      const std::string body = statements(program_, program_.chunks[c], block);
-      if (!body.empty()) add_part(parts, calls, fmt::format("part{}", c), arrays, body);
+      arrays.chunk(chunk);
+      const Part part{fmt::format("part{}", c), chunk.limbs};
+      add_part(part, arrays,
+               chunk.limbs > 0 ? limb_statements(program_, c, block, parts_)
+                               : statements(program_, chunk, block));
     }
-    std::string whole = body(calls);
-    return {std::move(parts), std::move(whole)};
+    std::string whole = body();
+    return {std::move(parts_), std::move(whole)};
   }
 
  private:
-  void add_part(std::string& parts, std::string& calls, const std::string& name,
-                const Arrays& arrays, const std::string& body) {
+  struct Part {
+    std::string name;
+    int limbs = 0;  ///< that it is called for
+  };
+
+  void add_part(const Part& part, const Arrays& arrays, const std::string& body) {
     used_.add(arrays);
-    parts += fmt::format("template <class T>\nARBOC_NOINLINE void {}({}) noexcept {{\n{}{}}}\n\n",
-                         name, list(program_, arrays, true), lane_types(body), body);
-    calls += fmt::format("  {}::{}<T>({});\n", space_, name, list(program_, arrays, false));
+    const bool each = part.limbs > 0;
+    parts_ +=
+        fmt::format("template <class T>\nARBOC_NOINLINE void {}({}{}) noexcept {{\n{}{}}}\n\n",
+                    part.name, list(program_, arrays, true), each ? ", int limb" : "",
+                    program_.by_limb ? "" : lane_types(body), body);
+    if (each) calls_ += fmt::format("  for (int limb = 0; limb < {}; ++limb)\n  ", part.limbs);
+    calls_ += fmt::format("  {}::{}<T>({}{});\n", space_, part.name, list(program_, arrays, false),
+                          each ? ", limb" : "");
   }
 
   Arrays angle_arrays() const {
@@ -116,19 +155,21 @@ class Writer {
     std::string vectors;
     for (int width = 2; width <= kMostLanes; ++width)
       if (used_.lane_work[width])
-        vectors +=
-            fmt::format("  arboc::lanes_t<T, {0}> w{0}[{1}];\n", width, program_.lane_slots[width]);
+        vectors += program_.by_limb
+                       ? fmt::format("  T w{0}[{0} * {1}];\n", width, program_.lane_slots[width])
+                       : fmt::format("  arboc::lanes_t<T, {0}> w{0}[{1}];\n", width,
+                                     program_.lane_slots[width]);
     if (program_.slots == 0 || !used_.work) return vectors;
     return fmt::format("  {}T w[{}];\n", in_lanes_ ? "alignas(32) " : "", program_.slots) + vectors;
   }
 
-  std::string body(const std::string& calls) {
+  std::string body() {
     std::string out;
     const auto& outputs = program_.outputs;
     const bool checked = !signature_.positive.empty();
     out += work_arrays();
     if (checked) out += fmt::format("  T {}[{}];\n", outputs.back().name, outputs.back().size);
-    out += calls;
+    out += calls_;
     for (const Store& store : program_.stores) {
       used_.store(store);
       out += fmt::format("  {}[{}] = {};\n", outputs[static_cast<size_t>(store.port)].name,
@@ -155,6 +196,7 @@ class Writer {
   const Signature& signature_;
   std::string space_;
   bool in_lanes_ = false;
+  std::string parts_, calls_;
   Arrays used_;
 };
 

@@ -56,6 +56,7 @@ Setup resolve(Model model, const FunctionOptions& options) {
   check_springs(setup);
   setup.iterated = options.iterated;
   setup.simplify = options.simplify;
+  setup.optimise = options.optimise;
   setup.max_function_size = options.max_function_size;
   const Coordinates at = coordinates(model);
   setup.nq = at.nq;

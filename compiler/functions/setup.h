@@ -19,6 +19,12 @@ struct Simplifications {
   bool dead = true;     ///< what no output needs is removed
 };
 
+/// What the text is made for.
+enum class Optimise {
+  kSpeed,  ///< isomorphic limbs side by side in the lanes of vectors
+  kSize,   ///< one after the other, by functions that they share
+};
+
 /// What all functions of one compilation share, as the user wrote it.
 struct FunctionOptions {
   std::vector<std::string> frames;           ///< links; none: those that a joint moves
@@ -31,6 +37,7 @@ struct FunctionOptions {
   /// turns about several of them; otherwise second derivatives of f(q (+) d).
   bool iterated = false;
   Simplifications simplify;
+  Optimise optimise = Optimise::kSpeed;
   int max_function_size = 250;  ///< operations after which emitted code begins another function
 };
 
@@ -45,6 +52,7 @@ struct Setup {
   std::vector<Parameter> parameters;
   bool iterated = false;
   Simplifications simplify;
+  Optimise optimise = Optimise::kSpeed;
   int max_function_size = 250;
   int nq = 0, nv = 0;
 };

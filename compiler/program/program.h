@@ -9,6 +9,7 @@
 // Values in lanes (graph.h) stand beside scalars: statements have a width, and slots of width n are
 // those of an array w<n> of vectors.  Sines of an angle in lanes lie side by side in w.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,8 @@ struct Statement {
 
 struct Chunk {
   std::vector<Statement> statements;
+  int limbs =
+      0;  ///< of a program limb by limb: computed once for each of so many lanes; 0: scalars
 };
 
 struct Program {
@@ -83,19 +86,25 @@ struct Program {
   std::vector<Store> stores;            ///< outputs that are inputs, constants or sines themselves
   int slots = 0;                        ///< size of w
   int lane_slots[kMostLanes + 1] = {};  ///< by width: size of w2, w4
+  /// Lanes are not those of vectors: a chunk is of scalars or of one group of limbs, and runs once
+  /// for each limb.  Then w<n> holds scalars, the slots of each lane one lane after the other.
+  bool by_limb = false;
   OpCount ops;
 };
 
 struct ScheduleOptions {
-  int chunk_ops = 250;  ///< operations a chunk; 200 to 500 differ by less than 5 % in run time
+  int chunk_ops = 250;   ///< operations a chunk; 200 to 500 differ by less than 5 % in run time
+  bool by_limb = false;  ///< limbs one after the other instead of in the lanes of vectors
 };
 
 /// Graph (passed through the passes) -> Program.
 Program schedule(const Graph& graph, const ScheduleOptions& options = {});
 
-/// Operations of the statements as listed.
+/// Operations of one evaluation.
 OpCount count_ops(const Program& program);
-/// The same by block; sines and cosines of the angles that come first belong to none.
+/// Of the statements as listed, those of limbs once.
+OpCount count_listed(const Program& program);
+/// Of one evaluation by block; sines and cosines of the angles that come first belong to none.
 std::vector<OpCount> count_ops_by_block(const Program& program);
 
 /// How a language writes what is not an operator: formats of a number, of a function by its name
@@ -111,12 +120,19 @@ inline constexpr Spelling kC{"K({})", "arboc_{}({})", "arboc_{}({})", "arboc_{}(
 /// Of functions without special functions.
 inline constexpr Spelling kJs{"{}", "Math.{}({})", "{}({})", "{}({}, {})"};
 
-/// An operand, a right-hand side.
+/// An operand, with its sign or without; a right-hand side.
 std::string text(const Program& program, const Operand& operand, const Spelling& spelling = kCpp);
+std::string unsigned_text(const Program& program, const Operand& operand,
+                          const Spelling& spelling = kCpp);
 std::string text(const Program& program, const Statement& statement,
                  const Spelling& spelling = kCpp);
+/// The same with other names for the operands, which have no sign.
+using Naming = std::function<std::string(const Operand&)>;
+std::string text(const Statement& statement, const Naming& name, const Spelling& spelling = kCpp);
 /// Where a statement's value is kept for later chunks.
 std::string slot_text(const Statement& statement);
+/// Of a pack among the scalars of a program limb by limb: each lane to its slot; of others nothing.
+std::vector<std::string> lanes_apart(const Program& program, const Statement& statement);
 
 /// The printed form (`--print=program`): the statements as they will stand in the product.
 std::string print(const Program& program);

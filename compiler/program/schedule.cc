@@ -1,6 +1,7 @@
 // schedule(): order, chunks, slots.
 #include <algorithm>
 
+#include "program/limb_phases.h"
 #include "program/ops.h"
 
 namespace arboc {
@@ -23,6 +24,7 @@ class Scheduler {
     out_.inputs = in_.inputs;
     out_.outputs = in_.outputs;
     out_.blocks = in_.blocks;
+    out_.by_limb = options_.by_limb;
     find_angles();
     find_readers();
     cut();
@@ -49,7 +51,8 @@ class Scheduler {
     std::vector<char> early(in_.nodes.size(), 0), needed(in_.nodes.size(), 0);
     for (size_t n = 0; n < in_.nodes.size(); ++n) {
       const Node& node = in_.nodes[n];
-      early[n] = node.op != Op::kSin && node.op != Op::kCos;
+      early[n] = node.op != Op::kSin && node.op != Op::kCos &&
+                 !(options_.by_limb && node.width > 1 && node.op != Op::kPack);
       for_each_operand(in_, node, [&](Ref r) { early[n] = early[n] && early[r.node()]; });
       if ((node.op != Op::kSin && node.op != Op::kCos) || !early[node.a.node()]) continue;
       needed[node.a.node()] = 1;
@@ -121,25 +124,40 @@ class Scheduler {
   }
 
   void cut() {
+    std::vector<char> placed(in_.nodes.size());
+    for (std::uint32_t n = 0; n < in_.nodes.size(); ++n)
+      placed[n] = is_leaf(n) || is_early_trig(n) || chunk_of_[n] == kPrologue || is_angle_only(n);
+    if (options_.by_limb) {
+      for (const Phase& phase : limb_phases(in_, placed)) cut(phase);
+      return;
+    }
+    Phase all;
+    for (std::uint32_t n = 0; n < in_.nodes.size(); ++n)
+      if (!placed[n]) all.nodes.push_back(n);
+    cut(all);
+  }
+
+  void cut(const Phase& phase) {
+    const size_t first = members_.size();
     int ops = 0;
     members_.emplace_back();
-    for (std::uint32_t n = 0; n < in_.nodes.size(); ++n) {
-      if (is_leaf(n) || is_early_trig(n) || chunk_of_[n] == kPrologue || is_angle_only(n)) continue;
+    for (const std::uint32_t n : phase.nodes) {
       if (ops >= options_.chunk_ops) {
         members_.emplace_back();
         ops = 0;
       }
       ops += cost(in_, in_.nodes[n]);
-      chunk_of_[n] = static_cast<int>(members_.size()) - 1;
       members_.back().push_back(n);
     }
     // A short rest is not worth a function of its own.
-    if (members_.size() > 1 && ops < options_.chunk_ops / 5) {
+    if (members_.size() > first + 1 && ops < options_.chunk_ops / 5) {
       const auto rest = std::move(members_.back());
       members_.pop_back();
-      for (const std::uint32_t n : rest) chunk_of_[n] = static_cast<int>(members_.size()) - 1;
       members_.back().insert(members_.back().end(), rest.begin(), rest.end());
     }
+    limbs_.resize(members_.size(), phase.limbs);
+    for (size_t c = first; c < members_.size(); ++c)
+      for (const std::uint32_t n : members_[c]) chunk_of_[n] = static_cast<int>(c);
   }
 
   void find_last_uses() {
@@ -231,6 +249,7 @@ class Scheduler {
 
   void emit_chunk(int c) {
     out_.chunks.emplace_back();
+    out_.chunks.back().limbs = limbs_[static_cast<size_t>(c)];
     for (const std::uint32_t n : members_[static_cast<size_t>(c)]) {
       out_.chunks.back().statements.push_back(statement(n, c));
       if (slot_[n] >= 0) busy_.push_back(n);
@@ -256,6 +275,7 @@ class Scheduler {
   std::vector<std::uint32_t> angle_node_;
   std::vector<std::uint32_t> prologue_;
   std::vector<std::vector<std::uint32_t>> members_;  ///< nodes of each chunk
+  std::vector<int> limbs_;                           ///< of each chunk
   std::vector<int> slot_;
   std::vector<char> read_;  ///< per node: something else than an early sine reads it
   std::vector<std::vector<PendingStore>> stored_;

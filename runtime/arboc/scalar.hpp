@@ -24,6 +24,23 @@
 namespace arboc {
 inline namespace v1 {
 
+namespace detail {
+
+template <class T>
+struct RealOf {
+  typedef double type;
+};
+template <>
+struct RealOf<float> {
+  typedef float type;
+};
+
+}  // namespace detail
+
+/// Numbers that become T: of single precision they are not kept in double.
+template <class T>
+using real_t = typename detail::RealOf<T>::type;
+
 /// Sine and cosine of x (rad).
 template <class T>
 inline void sincos(const T& x, T& sine, T& cosine) {
