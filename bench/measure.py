@@ -3,7 +3,8 @@
 
   bench/measure.py compile              bench/compile/compile.txt, by g++ and clang++
   bench/measure.py peers NAME MODEL ... bench/time/NAME.json; what follows MODEL goes to arboc bench
-  bench/measure.py table                bench/time/peers.md from all bench/time/*.json
+  bench/measure.py table                bench/time/peers.md from all bench/time/*.json, and the ratios
+                                        in docs/performance.md
   bench/measure.py plot                 docs/bench/*.svg from the same
 
 Standard library only.  ARBOC names the program (build/release/bin/arboc).
@@ -19,6 +20,8 @@ ROOT = Path(__file__).resolve().parent.parent
 ARBOC = os.environ.get("ARBOC", str(ROOT / "build/release/bin/arboc"))
 FLAGS = "-std=c++17 -O2 -march=native -fno-tree-vectorize"
 
+RUNS = 4  # processes of a measurement against peers; of each competitor the least counts
+
 # The models of bench/compile: a name, the file, options, functions.
 BASIC = "fk,rnea,crba,minv,aba,rnea_derivatives,aba_derivatives,rnea_hessian"
 MASSLESS = "fk,rnea,crba,rnea_derivatives,rnea_hessian"  # its inertia is singular
@@ -26,6 +29,8 @@ COMPILED = [
     ("ur5", "models/ur5/ur5.urdf", [], BASIC),
     ("quadruped", "models/quadruped/quadruped.urdf", ["--base", "floating"], BASIC),
     ("humanoid", "models/humanoid/humanoid.urdf", ["--base", "floating"], BASIC),
+    ("humanoid", "models/humanoid/humanoid.urdf",
+     ["--base", "floating", "--jacobian", "minv.Minv:q"], ""),
     ("santos", "models/santos/santos.dh.toml", [], MASSLESS),
 ]
 
@@ -56,8 +61,8 @@ def write_compile():
     lines.append(f"{'model':<10} {'function':<20} {'operations':>10}" + "".join(
         f" {c + ' s':>9} {'ms/op':>6} {'MB':>5} {'text kB':>8}" for c in compilers))
     for name, model, options, functions in COMPILED:
-        rows = [bench(model, *options, "--compile", "--functions", functions, "--cxx", c)
-                for c in compilers]
+        asked = ["--functions", functions] if functions else []
+        rows = [bench(model, *options, "--compile", *asked, "--cxx", c) for c in compilers]
         for both in zip(*rows):
             n = both[0]["operations"]
             lines.append(f"{name:<10} {both[0]['function']:<20} {n:>10}" + "".join(
@@ -66,11 +71,29 @@ def write_compile():
     (ROOT / "bench/compile/compile.txt").write_text("\n".join(lines) + "\n")
 
 
+def least(runs):
+    """Of each function and competitor the least time of all runs, with the ratios of these."""
+    functions = runs[0]
+    for k, f in enumerate(functions):
+        for i, by in enumerate(f["by"]):
+            by["ns"] = min(run[k]["by"][i]["ns"] for run in runs)
+            by["difference"] = max(run[k]["by"][i]["difference"] for run in runs)
+        for by in f["by"]:
+            by["ratio"] = by["ns"] / f["by"][0]["ns"]
+    return functions
+
+
+def shown(arguments):
+    """Without folders, and without the options that they belong to."""
+    return [a for k, a in enumerate(arguments)
+            if "/" not in a and "/" not in (arguments[k + 1:k + 2] or [""])[0]]
+
+
 def write_peers(name, model, arguments):
     data = {"model": name, "file": Path(model).name, "processor": processor(),
             "compiler": version(os.environ.get("CXX", "c++")), "flags": FLAGS,
-            "options": [a for a in arguments if "/" not in a],
-            "functions": bench(model, "--peers", *arguments)}
+            "options": shown(arguments),
+            "functions": least([bench(model, "--peers", *arguments) for _ in range(RUNS)])}
     folder = ROOT / "bench/time"
     folder.mkdir(exist_ok=True)
     (folder / f"{name}.json").write_text(json.dumps(data, indent=1) + "\n")
@@ -78,6 +101,28 @@ def write_peers(name, model, arguments):
 
 def recorded():
     return [json.loads(p.read_text()) for p in sorted((ROOT / "bench/time").glob("*.json"))]
+
+
+PLAIN, LANES = "generated, no limbs in lanes", "generated, 8 doubles in lanes"
+
+
+def ratio_lines():
+    """How many times as long as generated code others take, for one state and in lanes."""
+    lines = ["| robot, function | as compiled: ns | generic | Pinocchio | + CppADCodeGen"
+             " | plain text: ns | Pinocchio | + CppADCodeGen"
+             " | 8 states in lanes: ns | Pinocchio | + CppADCodeGen |", "|---" * 11 + "|"]
+    for data in recorded():
+        for f in data["functions"]:
+            ns = {b["name"]: b["ns"] for b in f["by"]}
+            peers = [ns["Pinocchio"], ns["Pinocchio+CppADCodeGen"]]
+            cells = [f"`{data['model']}` `{f['function']}`"]
+            for kind, others in (("generated", [ns["generic"], *peers]), (PLAIN, peers),
+                                 (LANES, peers)):
+                own = ns.get(kind)
+                cells += [f"{own:.1f}"] + [f"{x / own:.1f}" for x in others] if own else (
+                    ["–"] * (1 + len(others)))
+            lines.append("| " + " | ".join(cells) + " |")
+    return lines + [""]
 
 
 def write_table():
@@ -97,6 +142,10 @@ def write_table():
             lines.append(f"| `{f['function']}` | " + " | ".join(cells) + " |")
         lines.append("")
     (ROOT / "bench/time/peers.md").write_text("\n".join(lines))
+    page = ROOT / "docs/performance.md"
+    begin, end = "<!-- bench/measure.py table -->\n", "<!-- end of table -->"
+    before, rest = page.read_text().split(begin)
+    page.write_text(before + begin + "\n".join(ratio_lines()) + "\n" + end + rest.split(end)[1])
 
 
 COLOURS = ["#1b6ca8", "#6fb1e0", "#8a8a8a", "#c9b458", "#c98758", "#b35c8c", "#5c9a5c", "#3f3f3f"]

@@ -91,14 +91,16 @@ std::string simplified_lines(const Row& row) {
   const Model model = model_of(row);
   std::string out;
   for (const char* function :
-       {"rnea", "crba", "aba", "rnea_derivatives", "frame_jacobian", "rnea_hessian"}) {
+       {"fk", "rnea", "nle", "crba", "minv", "aba", "centroidal", "frame_jacobian",
+        "rnea_derivatives", "aba_derivatives", "rnea_hessian"}) {
     if (std::string(row.model) == "santos" && std::string(function) == "rnea_hessian")
       continue;  // takes long
     if (!compiled(function, resolve(model))) continue;
     out += fmt::format("{:<16} {:<18} {:>7}", row.model, function, total(model, function, {}));
     for (const Column& column : kColumns)
       out += fmt::format(" {:>7}", total(model, function, column.simplify));
-    out += fmt::format(" {:>7}\n", generic_operations(model, function));
+    const int generic = generic_operations(model, function);
+    out += fmt::format(" {:>7}\n", generic > 0 ? fmt::format("{}", generic) : "-");
   }
   return out;
 }

@@ -3,6 +3,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 
 #include "cli/common.h"
@@ -10,8 +11,16 @@
 namespace arboc::cli {
 namespace {
 
-/// CPU time of this thread, ns: what other programs take is not in it.
+/// ns that have passed.  The CPU time of a thread would leave out what other programs take, but of
+/// short windows on virtual machines it can come out far too small.
 double now() {
+  return std::chrono::duration<double, std::nano>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+/// CPU time of this thread, ns: what the measurement may take.
+double spent() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
@@ -28,8 +37,8 @@ std::vector<double> least_ns(const std::vector<Pass>& passes, int states, double
     pass();
     repeat.push_back(static_cast<int>(30e3 / (now() - start)) + 1);
   }
-  const double end = now() + 1e9 * seconds * static_cast<double>(passes.size());
-  while (now() < end) {
+  const double end = spent() + 1e9 * seconds * static_cast<double>(passes.size());
+  while (spent() < end) {
     check_interrupt();
     for (size_t k = 0; k < passes.size(); ++k) {
       const double start = now();
