@@ -39,7 +39,7 @@ function extent(data) {
 }
 // World -> screen: turned about the upright axis, then tipped; in perspective.
 function projection(data, view, width, height) {
-  const box = extent(data), up = data.up, a = (up + 1) % 3, b = (up + 2) % 3;
+  const box = data.box || (data.box = extent(data)), up = data.up, a = (up + 1) % 3, b = (up + 2) % 3;
   const distance = 3 * box.size, zoom = view.zoom * 0.8 * Math.min(width, height) / box.size;
   const ct = Math.cos(view.turn), st = Math.sin(view.turn);
   const cp = Math.cos(view.tip), sp = Math.sin(view.tip);

@@ -73,6 +73,12 @@ Task read_task(const std::string& path) {
     for (const auto& [name, node] : legs->raw())
       task.legs[std::string(name.str())] =
           kDegree * study::number_of(node, "legs: " + std::string(name.str()));
+  if (auto floating = table.table("floating_legs")) {
+    task.floating = Passive{floating->number("stiffness", 0), floating->number("damping", 0)};
+    if (!(task.floating->stiffness >= 0 && task.floating->damping >= 0))
+      floating->fail("stiffness or damping is below 0");
+    floating->finish();
+  }
   if (const auto both = table.table("both_hands")) task.both = read_both(*both, task.torso);
   table.finish();
   return task;

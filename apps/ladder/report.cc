@@ -4,6 +4,9 @@
 #include <arboc/motion/quadrature.hpp>
 #include <chrono>
 #include <cmath>
+#include <optional>
+
+#include "legs.h"
 
 namespace ladder {
 namespace {
@@ -194,10 +197,12 @@ Result traverse(const Task& task) {
   const int frames = frames_of(task, plan.duration());
   resize(r, frames);
   Recorder recorder(r);
+  std::optional<FloatingLegs> legs;
+  if (task.floating) legs.emplace(plan);
   for (int k = 0; k < frames; ++k) {
     const double t = plan.duration() * k / (frames - 1);
     const Period& p = plan.period(t);
-    recorder.state(k, t, p.held, p.at(t));
+    recorder.state(k, t, p.held, legs ? legs->at(t) : p.at(t));
   }
   finish(r);
   check_ends(plan, r);
@@ -206,7 +211,10 @@ Result traverse(const Task& task) {
     r.schedule.push_back({p.begin, p.end, p.held, p.bar, p.from, p.to});
   r.stretch = plan.stretch;
   check_inside(plan, r);
-  balance(plan, r);
+  if (legs)
+    r.power_balance = legs->balance();
+  else
+    balance(plan, r);
   draw(
       task, task.name,
       [&](double t) {

@@ -18,12 +18,12 @@ struct Result {
   double hand_error = 0;      ///< m: of both hands from their bars at ends of periods
   double torso_mismatch = 0;  ///< m/s: of the levels at ends of periods, along the ladder
   double torso_mismatch_inside = 0;
-  double reroot_error = 0;   ///< m, J: frames and kinetic energy of the two trees at a change
-  double clearance = 0;      ///< m: least distance of a moving hand from bars that it passes; 0: none
-  double limit_excess = 0;   ///< rad: beyond limits of joints, inside periods
-  double joint_speed = 0;    ///< rad/s: largest
-  double stretch = 1;        ///< of the task's duration
-  double power_balance = 0;  ///< J: kinetic energy less work of the joints, largest
+  double reroot_error = 0;  ///< m, J: frames and kinetic energy of the two trees at a change
+  double clearance = 0;  ///< m: least distance of a moving hand from bars that it passes; 0: none
+  double limit_excess = 0;                ///< rad: beyond limits of joints, inside periods
+  double joint_speed = 0;                 ///< rad/s: largest
+  double stretch = 1;                     ///< of the task's duration
+  double power_balance = 0;               ///< J: kinetic energy less work of the joints, largest
   double loop_error = 0, loop_speed = 0;  ///< both hands: of the left one
   study::Effort effort{0, 0};
   study::Rows q;            ///< frames x joints

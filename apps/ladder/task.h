@@ -25,6 +25,11 @@ struct BothHands {
   Torso to;
 };
 
+/// Of hips and knees that nothing drives; about the angles of `legs`.
+struct Passive {
+  double stiffness = 0, damping = 0;  ///< N m/rad, N m s/rad
+};
+
 struct Task {
   std::string name;
   int bars = 9;            ///< the hands end on this one, from 0: one period more than bars
@@ -38,7 +43,8 @@ struct Task {
   double torso_speed = 1;              ///< m/s: limit
   double joint_speed = 6;              ///< rad/s: limit
   std::array<int, 2> elbows{1, 1};     ///< branch of right and left: 1 within limits, -1 the other
-  std::map<std::string, double> legs;  ///< rad: hips and knees, held
+  std::map<std::string, double> legs;  ///< rad: hips and knees
+  std::optional<Passive> floating;     ///< otherwise the legs are held
   std::optional<BothHands> both;
 };
 
