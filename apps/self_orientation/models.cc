@@ -65,6 +65,7 @@ namespace {
       const auto placements = ns::fk(q __VA_ARGS__);                                        \
       return std::vector<double>(placements.data(), placements.data() + placements.size()); \
     };                                                                                      \
+    static_assert(rates::frame::count == ns::nv - 5, "a link a joint, and the base");           \
     made.segment_rates = [](const Vector& q, const Vector& v) {                             \
       /* Frame k is of the link that joint k moves; the base is the first. */               \
       const auto velocity = rates::frame_velocity(q, v);                                    \

@@ -192,6 +192,37 @@ TEST(Ladder, LegsFloat) {
   }
 }
 
+/// In a plane, where all axes that move are y, segments turn as frames on them do.
+TEST(Ladder, RatesOfSegments) {
+  const la::Plan plan = la::plan(task("traverse"));
+  using Of = std::pair<const char*, int>;
+  const std::vector<Of> of[2] = {{{"r_elbow", la::kRightElbow},
+                                  {"r_shoulder.y", la::kTorso},
+                                  {"l_elbow", la::kLeftElbow},
+                                  {"knee", la::kShanks}},
+                                 {{"l_shoulder.y", la::kTorso},
+                                  {"r_shoulder.y", la::kRightElbow},
+                                  {"hip.y", la::kThighs},
+                                  {"knee", la::kShanks}}};
+  for (const la::Period& p : {plan.periods[2], plan.periods[3]}) {
+    const la::Tree& tree = la::tree(p.held);
+    la::State s = p.at(p.begin + 0.4 * p.duration());
+    s.v[la::joint("hip.y")] = 0.7, s.v[la::joint("knee")] = -0.4;
+    const la::Vector q = tree.own(s.q), v = tree.own(s.v);
+    la::Vector rates;
+    tree.segment_rates(q, v, rates);
+    Eigen::Matrix<double, 6 * la::kFrames, la::kJoints> J;
+    tree.jacobian(q, J.data());
+    for (const Of& one : of[p.held]) {
+      const int j = tree.joint(one.first);
+      // The joint's axis is y or, where the tree is turned around, -y.
+      const double expected = J.row(6 * one.second + 4).dot(v), axis = J(6 * one.second + 4, j);
+      EXPECT_NEAR(std::fabs(axis), 1, 1e-12) << one.first;
+      EXPECT_NEAR(rates[j], axis * expected, 1e-12) << one.first;
+    }
+  }
+}
+
 /// Velocities and accelerations of what is planned are derivatives of positions.
 TEST(Ladder, MotionsAreSmooth) {
   for (const char* name : {"traverse", "traverse_stops"}) {

@@ -69,7 +69,7 @@ TEST(OptimalControl, LagrangeNewtonConvergesQuadratically) {
   }
   EXPECT_GE(pairs, 2);
   EXPECT_LT(a.violation, 1e-9);
-  EXPECT_LT(a.seconds, 0.5);
+  RecordProperty("milliseconds", std::to_string(1e3 * a.seconds));
 }
 
 /// No motion nearby that keeps the rows costs less.

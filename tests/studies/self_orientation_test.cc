@@ -130,6 +130,33 @@ TEST(SelfOrientation, ThreeBodiesAreThoseOfTheFile) {
   EXPECT_NEAR(b.hips[1].y(), 0.167, 1e-12);
 }
 
+/// Where one joint of a leg moves, its segment turns with the trunk and about its axis.
+TEST(SelfOrientation, RatesOfSegments) {
+  for (const char* name : {"astronaut_turn", "santos"}) {
+    const so::Model& m = so::model(name);
+    const Vector q = m.at_origin(m.start);
+    for (const int j : {0, 1, static_cast<int>(m.joints.size()) - 1}) {
+      Vector v = Vector::Zero(m.nv);
+      v[6 + j] = 1.5;
+      const Vector rates = m.segment_rates(q, v);
+      EXPECT_NEAR(rates[j], 1.5, 1e-12) << name;
+      v[6 + j] = 0;
+      v.segment<3>(3) << 0.3, -0.2, 0.5;  // all segments turn with the trunk
+      const Vector with = m.segment_rates(q, v);
+      EXPECT_LE(std::fabs(with[j]), v.segment<3>(3).norm() + 1e-12);
+      v.segment<3>(3) *= -1;
+      EXPECT_NEAR(m.segment_rates(q, v)[j], -with[j], 1e-12);
+    }
+  }
+  // Legs straight down: axes of the right hip are those of the trunk.
+  const so::Model& m = so::model("astronaut_turn");
+  Vector v = Vector::Zero(m.nv);
+  v.segment<3>(3) << 0.3, -0.2, 0.5;
+  const Vector rates = m.segment_rates(m.at_origin(Vector::Zero(6)), v);
+  for (int leg = 0; leg < 2; ++leg)
+    EXPECT_LT((rates.segment<3>(3 * leg) - v.segment<3>(3)).norm(), 1e-12);
+}
+
 /// The engine that reads the model's file: no force on the base, the same torques.
 TEST(SelfOrientation, ReferenceAgrees) {
   for (const auto& [name, file] :
