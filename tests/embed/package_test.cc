@@ -166,6 +166,8 @@ TEST_F(Package, MovedElsewhereGeneratesAndGivesTheBitsOfEval) {
   expect_numbers_of_eval("walker", "quadruped", {"--base", "floating", "--function", "aba"},
                          {"q", "v", "tau"}, {q, ramp(18, 1, -0.1), ramp(18, -9, 1)});
   EXPECT_EQ(expect_success({built() + "/runtime"}).out, "0.841470984808\n");
+  EXPECT_NE(expect_success({built() + "/page"}).out.find("<title>a &lt; b</title>"),
+            std::string::npos);
   RunOptions state;
   state.input = folder_ / "state";
   write_text(state.input, "0 1 2 3 4 5 6 5 4 3 2 1 1 -1 1 -1 1 -1");
