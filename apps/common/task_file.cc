@@ -10,7 +10,14 @@ namespace {
 
 toml::table parse(const std::string& path) {
   try {
-    return toml::parse_file(path);
+    toml::table file = toml::parse_file(path);
+    // Bases of tables in it are beside this file, even where it is a base itself.
+    for (auto&& [key, node] : file)
+      if (toml::table* inner = node.as_table())
+        if (const auto base = (*inner)["base"].value<std::string>())
+          inner->insert_or_assign("base",
+                                  (std::filesystem::path(path).parent_path() / *base).string());
+    return file;
   } catch (const toml::parse_error& e) {
     const auto at = e.source().begin;
     throw TaskError(path + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
@@ -18,53 +25,57 @@ toml::table parse(const std::string& path) {
   }
 }
 
-void merge(toml::table& under, const toml::table& over);
+void merge(toml::table& under, toml::table&& over);
 
-/// Tables of the same name are one; others are appended.
-void merge(toml::array& under, const toml::array& over) {
-  for (const toml::node& entry : over) {
-    const toml::table* table = entry.as_table();
+/// Tables of the same name are one; others are appended.  (Nodes are moved, as copies forget where
+/// they stand.)
+void merge(toml::array& under, toml::array&& over) {
+  for (toml::node& entry : over) {
+    toml::table* table = entry.as_table();
     const auto name = table ? (*table)["name"].value<std::string>() : std::nullopt;
     const auto same = std::find_if(under.begin(), under.end(), [&](toml::node& node) {
       const toml::table* mine = node.as_table();
       return name && mine && (*mine)["name"].value<std::string>() == name;
     });
     if (same == under.end())
-      under.push_back(entry);
+      under.push_back(std::move(entry));
     else
-      merge(*same->as_table(), *table);
+      merge(*same->as_table(), std::move(*table));
   }
 }
 
 /// What `over` says counts; tables are merged, lists of tables by their names, others replaced.
-void merge(toml::table& under, const toml::table& over) {
-  for (const auto& [key, node] : over) {
+void merge(toml::table& under, toml::table&& over) {
+  for (auto&& [key, node] : over) {
     toml::table* table = under[key].as_table();
     toml::array* list = under[key].as_array();
     if (table && node.is_table())
-      merge(*table, *node.as_table());
+      merge(*table, std::move(*node.as_table()));
     else if (list && list->is_array_of_tables() && node.is_array_of_tables())
-      merge(*list, *node.as_array());
+      merge(*list, std::move(*node.as_array()));
     else
-      under.insert_or_assign(key, node);
+      under.insert_or_assign(key, std::move(node));
   }
 }
 
-/// The file over the one that it names as its `base`.
-toml::table read(const std::string& path, int depth) {
-  toml::table own = parse(path);
+/// A table over the file that it names as its `base`, beside `folder`.
+toml::table over_base(toml::table own, const std::filesystem::path& folder, int depth) {
   const toml::node* base = own.get("base");
   if (!base) return own;
   if (!base->is_string() || depth > 8) fail(*base, "base is not a file, or goes in circles");
-  const std::filesystem::path beside = std::filesystem::path(path).parent_path();
-  toml::table all = read((beside / *base->value<std::string>()).string(), depth + 1);
-  merge(all, own);
+  const std::filesystem::path path = folder / *base->value<std::string>();
+  toml::table all = over_base(parse(path.string()), path.parent_path(), depth + 1);
+  merge(all, std::move(own));
   return all;
 }
 
 }  // namespace
 
-toml::table read_document(const std::string& path) { return read(path, 0); }
+toml::table read_document(const std::string& path) {
+  return over_base(parse(path), std::filesystem::path(path).parent_path(), 0);
+}
+
+toml::table over_base(toml::table own) { return over_base(std::move(own), {}, 0); }
 
 void fail(const toml::source_region& where, const std::string& message) {
   std::ostringstream text;

@@ -22,6 +22,8 @@ struct TaskError : std::runtime_error {
 /// The file over the one that its key `base` names, beside it: tables are merged, lists of tables
 /// by the `name` of their entries, others replaced.  Throws TaskError.
 toml::table read_document(const std::string& path);
+/// The same of a table in such a document, whose `base` is beside the file that says so.
+toml::table over_base(toml::table own);
 
 /// Throws TaskError: PATH:LINE:COLUMN: error: ...
 [[noreturn]] void fail(const toml::source_region& where, const std::string& message);

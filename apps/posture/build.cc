@@ -17,7 +17,7 @@ bool ignored(const Collision& c, const Sphere& a, const Sphere& b) {
   });
 }
 
-AffineVector centre(const Stance& stance, const Sphere& s) {
+AffineVector centre(Stance& stance, const Sphere& s) {
   if (s.frame.empty()) return {s.centre.x(), s.centre.y(), s.centre.z()};
   return stance.point(s.frame, s.centre);
 }

@@ -27,6 +27,7 @@ std::vector<double> list(const double (&table)[N]) {
 Model santos_model() {
   Model m;
   m.robot = ARBOC_NLP_ROBOT(santos);
+  m.robot.dynamics = ARBOC_NLP_DYNAMICS(santos);
   m.robot.postures["relaxed"] = list(santos::q_relaxed);
   m.passive = passive_until_limited(m.robot);
   m.limbs = {{"hip", "z3", "z6", "z9", "z12", "z13", "z14", "z17", "z19", "r_hand"},
@@ -42,6 +43,7 @@ Model santos_model() {
 Model nine_dof_model() {
   Model m;
   m.robot = ARBOC_NLP_ROBOT(nine_dof);
+  m.robot.dynamics = ARBOC_NLP_DYNAMICS(nine_dof);
   m.robot.postures["start"] = list(nine_dof::q_start);
   m.passive = passive_until_limited(m.robot);
   m.limbs = {{"trunk", "r_shoulder", "r_upper_arm", "r_lower_arm", "r_hand"},
@@ -52,6 +54,7 @@ Model nine_dof_model() {
 Model humanoid_model() {
   Model m;
   m.robot = ARBOC_NLP_ROBOT(humanoid);
+  m.robot.dynamics = ARBOC_NLP_DYNAMICS(humanoid);
   m.passive = passive_until_limited(m.robot);
   m.up = 2;
   m.limbs = {{"pelvis", "thorax", "head"},

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "common/task_file.h"
-#include "task.h"
+#include "read.h"
 
 namespace posture {
 namespace {
@@ -162,15 +161,6 @@ Search read_search(Table table) {
   return s;
 }
 
-std::map<std::string, double> read_posture(Table& table, const char* key) {
-  std::map<std::string, double> out;
-  if (std::optional<Table> inner = table.table(key))
-    for (const auto& [name, node] : inner->raw())
-      out[std::string(name.str())] =
-          number_of(node, std::string(key) + ": " + std::string(name.str()));
-  return out;
-}
-
 void read_mirrors(Table& table, Task& task) {
   for (Table& entry : table.tables("mirror")) {
     task.mirrors.push_back({entry.text("left"), entry.text("right"), entry.number("sign", 1)});
@@ -186,30 +176,46 @@ void read_bodies(Table& table, Task& task) {
     entry.finish();
   }
   for (Table& entry : table.tables("target")) {
-    Target t{entry.text("name"), entry.text("frame"), entry.vector("point", Vector3::Zero()),
-             read_place(entry), read_align(entry)};
-    if (entry.has("offset")) t.place.at += entry.vector("offset");
-    entry.finish();
-    task.targets.push_back(t);
+    task.targets.push_back(read_target(entry));
   }
   for (const Table& entry : table.tables("look")) task.looks.push_back(read_look(entry));
 }
 
 }  // namespace
 
+std::map<std::string, double> read_numbers(Table& table, const char* key) {
+  std::map<std::string, double> out;
+  if (std::optional<Table> inner = table.table(key))
+    for (const auto& [name, node] : inner->raw())
+      out[std::string(name.str())] =
+          number_of(node, std::string(key) + ": " + std::string(name.str()));
+  return out;
+}
+
+Target read_target(Table& table) {
+  Target t{table.text("name"), table.text("frame"), table.vector("point", Vector3::Zero()),
+           read_place(table), read_align(table)};
+  if (table.has("offset")) t.place.at += table.vector("offset");
+  table.finish();
+  return t;
+}
+
 Task read_task(const std::string& path) {
-  const toml::table document = study::read_document(path);
+  return task_of(study::read_document(path), std::filesystem::path(path).stem().string());
+}
+
+Task task_of(const toml::table& document, const std::string& name) {
   Table table(document, "task");
   Task task;
-  task.name = table.text("name", std::filesystem::path(path).stem().string());
+  task.name = table.text("name", name);
   table.text("base", "");
   task.model = table.text("model");
   const toml::node* relaxed = table.find("relaxed");
   if (relaxed && relaxed->is_string())
     task.relaxed_posture = table.text("relaxed");
   else
-    task.relaxed = read_posture(table, "relaxed");
-  task.guess = read_posture(table, "guess");
+    task.relaxed = read_numbers(table, "relaxed");
+  task.guess = read_numbers(table, "guess");
   task.torque_limits = table.flag("torque_limits", true);
   task.symmetric = table.flag("symmetric", false);
   task.asymmetry = table.number("asymmetry", task.asymmetry);

@@ -2,7 +2,7 @@
 #include "assembly.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <stdexcept>
 
 namespace arboc {
@@ -13,15 +13,14 @@ namespace {
 /// Adds the time it lives to `seconds`.
 class Stopwatch {
  public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds), begin_(Clock::now()) {}
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - begin_).count(); }
+  explicit Stopwatch(double& seconds) : seconds_(seconds), begin_(std::clock()) {}
+  ~Stopwatch() { seconds_ += static_cast<double>(std::clock() - begin_) / CLOCKS_PER_SEC; }
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
 
  private:
-  using Clock = std::chrono::steady_clock;
   double& seconds_;
-  Clock::time_point begin_;
+  std::clock_t begin_;
 };
 
 }  // namespace

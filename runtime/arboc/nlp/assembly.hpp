@@ -9,7 +9,9 @@
 #ifndef ARBOC_NLP_ASSEMBLY_HPP
 #define ARBOC_NLP_ASSEMBLY_HPP
 
+#include <cstdint>
 #include <map>
+#include <unordered_map>
 
 #include "problem.hpp"
 
@@ -17,7 +19,7 @@ namespace arboc {
 inline namespace v1 {
 namespace nlp {
 
-/// Seconds spent in functions and in the rest of the evaluation.
+/// CPU seconds of the process in functions and in the rest of the evaluation.
 struct EvaluationTime {
   double values = 0, jacobian = 0, hessian = 0;  ///< of the functions
   double assembly = 0;                           ///< chain rules and scalar functions
@@ -131,7 +133,7 @@ class Assembly : public Nlp {
   std::vector<int> raw_input_;  ///< raw Jacobian entry -> entry of inputs_
   std::vector<Addition> to_gradients_, to_hessian_;
   std::vector<double> constant_gradients_;
-  std::map<std::pair<int, int>, int> hessian_entries_;  ///< while it is laid out
+  std::unordered_map<std::int64_t, int> hessian_entries_;  ///< while it is laid out
   Pattern jacobian_pattern_, hessian_pattern_;
 
   bool has_values_ = false, has_gradients_ = false;

@@ -169,10 +169,11 @@ void Assembly::lay_out_jacobian() {
 }
 
 int Assembly::hessian_entry(int i, int j) {
-  const std::pair<int, int> at(std::max(i, j), std::min(i, j));
+  const int row = std::max(i, j), col = std::min(i, j);
   const auto [it, is_new] =
-      hessian_entries_.try_emplace(at, static_cast<int>(hessian_pattern_.size()));
-  if (is_new) hessian_pattern_.push(at.first, at.second);
+      hessian_entries_.try_emplace(static_cast<std::int64_t>(row) * size_of(x_) + col,
+                                   static_cast<int>(hessian_pattern_.size()));
+  if (is_new) hessian_pattern_.push(row, col);
   return it->second;
 }
 

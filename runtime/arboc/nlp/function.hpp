@@ -27,6 +27,9 @@ class Function {
   virtual void values(int n, const double* x, double* y) = 0;
   virtual void jacobian(int n, const double* x, double* entries) = 0;
   virtual void hessian(int n, const double* x, const double* weights, double* entries) = 0;
+
+  /// Points of one call may be shared out among so many threads.
+  virtual void use_threads(int count) { static_cast<void>(count); }
 };
 
 /// A smooth scalar function of few arguments, applied to outputs of functions and to variables.

@@ -12,8 +12,10 @@
 #define ARBOC_NLP_GENERATED_HPP
 
 #include <algorithm>
+#include <arboc/team.hpp>
 #include <array>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -41,9 +43,7 @@ class Generated : public Function {
     }
     lay_out_jacobian();
     lay_out_hessian();
-    for (int k = 0; k < Value::outputs; ++k)
-      if (k != output_index_)
-        scratch_.emplace_back(static_cast<std::size_t>(Value::output_size[k]));
+    use_threads(1);
   }
 
   int inputs() const override { return inputs_; }
@@ -60,27 +60,46 @@ class Generated : public Function {
   }
 
   void values(int n, const double* x, double* y) override {
-    for (int s = 0; s < n; ++s) {
+    share_out(n, [&](int s, int member) {
       std::array<double*, Value::outputs> out;
-      for (int k = 0, other = 0; k < Value::outputs; ++k)
-        out[k] = k == output_index_ ? y + s * outputs_ : scratch_[other++].data();
+      double* other = scratch_[static_cast<std::size_t>(member)].data();
+      for (int k = 0; k < Value::outputs; other += Value::output_size[k++])
+        out[k] = k == output_index_ ? y + s * outputs_ : other;
       Value::template call<double>(in<Value>(x + s * inputs_, nullptr).data(), out.data());
-    }
+    });
   }
   void jacobian(int n, const double* x, double* entries) override {
-    for (int s = 0; s < n; ++s)
+    share_out(n, [&](int s, int) {
       call<Jacobian>(x + s * inputs_, nullptr, entries + s * jacobian_.size());
+    });
   }
   void hessian(int n, const double* x, const double* weights, double* entries) override {
-    for (int s = 0; s < n; ++s) {
+    share_out(n, [&](int s, int) {
       double* to = entries + s * hessian_.size();
       call<Hessian>(x + s * inputs_, weights + s * outputs_, to);
-      if (weighted_) continue;
+      if (weighted_) return;
       for (std::size_t k = 0; k < hessian_.size(); ++k) to[k] *= weights[s];
-    }
+    });
+  }
+  void use_threads(int count) override {
+    team_ = std::make_unique<Team>(count);
+    int entries = 0;
+    for (const int size : Value::output_size) entries += size;
+    scratch_.assign(static_cast<std::size_t>(count),
+                    std::vector<double>(static_cast<std::size_t>(entries)));
   }
 
  private:
+  /// Calls job(point, member of the team) for n points.
+  template <class Job>
+  void share_out(int n, const Job& job) {
+    const int members = n < 2 * team_->size() ? 1 : team_->size();
+    const auto part = [&](int member) {
+      for (int s = n * member / members; s < n * (member + 1) / members; ++s) job(s, member);
+    };
+    if (members == 1) return part(0);
+    team_->run(part);
+  }
   template <class F>
   std::array<const double*, F::inputs> in(const double* x, const double* weights) const {
     std::array<const double*, F::inputs> pointers;
@@ -158,7 +177,8 @@ class Generated : public Function {
   bool weighted_ = false;
   std::map<std::string, int> first_;  ///< of each input by which derivatives are taken
   std::map<std::string, std::vector<double>> parameters_;
-  std::vector<std::vector<double>> scratch_;
+  std::unique_ptr<Team> team_;
+  std::vector<std::vector<double>> scratch_;  ///< of each member: outputs that nobody wants
   Pattern jacobian_, hessian_;
 };
 

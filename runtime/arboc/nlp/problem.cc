@@ -6,17 +6,24 @@ namespace arboc {
 inline namespace v1 {
 namespace nlp {
 
+Group& Problem::group_of(std::vector<Group>& groups, const std::string& name,
+                         const std::string& unit) {
+  for (Group& g : groups)
+    if (g.name == name && g.unit == unit) return g;
+  groups.push_back({name, unit, {}});
+  return groups.back();
+}
+
 Quantities Problem::add_variables(const std::string& name, const std::string& unit,
                                   const std::vector<Interval>& intervals) {
   const int first = static_cast<int>(variables_.size());
-  Group group{name, unit, {}};
+  Group& group = group_of(variable_groups_, name, unit);
   for (const Interval& i : intervals) {
     if (!(i.lower <= i.upper) || !(i.scale > 0))
       throw std::invalid_argument("variables '" + name + "': bounds cross, or a scale is not > 0");
     group.members.push_back(static_cast<int>(variables_.size()));
     variables_.push(i.lower, i.upper, i.scale);
   }
-  variable_groups_.push_back(group);
   return {-1, first, static_cast<int>(intervals.size())};
 }
 
@@ -30,8 +37,7 @@ Quantities Problem::evaluate(FunctionPointer function, std::vector<Affine> input
 }
 
 int Problem::add_group(const std::string& name, const std::string& unit) {
-  groups_.push_back({name, unit, {}});
-  return static_cast<int>(groups_.size()) - 1;
+  return static_cast<int>(&group_of(groups_, name, unit) - groups_.data());
 }
 
 void Problem::require(int group, Affine value, double lower, double upper, double scale) {

@@ -62,6 +62,7 @@ class Problem {
     Expression value;
   };
 
+  /// Variables of one name and unit are one group; so are rows.
   Quantities add_variables(const std::string& name, const std::string& unit,
                            const std::vector<Interval>& intervals);
 
@@ -86,6 +87,8 @@ class Problem {
   const std::vector<Cost>& costs() const { return costs_; }
 
  private:
+  static Group& group_of(std::vector<Group>& groups, const std::string& name,
+                         const std::string& unit);
   void check(const Affine& a, bool variables_only) const;
   void check(const Expression& e) const;
 

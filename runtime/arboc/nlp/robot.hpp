@@ -6,7 +6,9 @@
 //     --jacobian statics.tau:q,f_ext --hessian statics.tau:q,f_ext
 //   #include <hero/hero_batch.hpp>
 //   const arboc::nlp::Robot robot = ARBOC_NLP_ROBOT(hero);
-// Coordinates are single (--expand): a step in q is a sum.
+// Coordinates are single (--expand): a step in q is a sum.  Motions also need
+//     --functions rnea --jacobian rnea.tau:q,v,a,f_ext --hessian rnea.tau:q,v,a,f_ext
+//   robot.dynamics = ARBOC_NLP_DYNAMICS(hero);
 #ifndef ARBOC_NLP_ROBOT_HPP
 #define ARBOC_NLP_ROBOT_HPP
 
@@ -27,6 +29,7 @@ struct Robot {
   std::vector<std::string> frames, loads;               ///< of placements, of f_ext
   std::shared_ptr<Function> placements;                 ///< q -> 12 a frame: R by rows, p
   std::shared_ptr<Function> statics;                    ///< q, f_ext -> tau
+  std::shared_ptr<Function> dynamics;                   ///< q, v, a, f_ext -> tau; may be null
   std::map<std::string, std::vector<double>> postures;  ///< q by name
 
   int size() const { return static_cast<int>(coordinates.size()); }
@@ -62,6 +65,10 @@ Robot robot_of(const RobotTables& tables, std::shared_ptr<Function> placements,
       ::std::make_shared<                                                                          \
           ::arboc::nlp::Generated<ns::statics_fn, ns::statics_tau_jacobian_q_f_ext_fn,             \
                                   ns::statics_tau_hessian_q_f_ext_fn>>())
+
+#define ARBOC_NLP_DYNAMICS(ns)                                                                  \
+  ::std::make_shared<::arboc::nlp::Generated<ns::rnea_fn, ns::rnea_tau_jacobian_q_v_a_f_ext_fn, \
+                                             ns::rnea_tau_hessian_q_v_a_f_ext_fn>>()
 
 }  // namespace nlp
 }  // namespace v1

@@ -10,15 +10,29 @@ inline namespace v1 {
 namespace nlp {
 namespace {
 
-constexpr double kForce = 100;       ///< what counts as 1, N and N m
+constexpr double kForce = kForceScale;
 constexpr double kRounding = 1e-3;   ///< N, of friction cones at their apex
 constexpr double kUnlimited = 1000;  ///< N m: scale of torques without a limit
 
 Affine dot(const Vector3& n, const AffineVector& p) {
   return n.x() * p[0] + n.y() * p[1] + n.z() * p[2];
 }
-AffineVector vector_of(const Quantities& x, int first) {
-  return {x[first], x[first + 1], x[first + 2]};
+template <class Six>
+AffineVector vector_of(const Six& x, int first) {
+  AffineVector v;
+  for (int i = 0; i < 3; ++i) v[i] = x[first + i];
+  return v;
+}
+
+Instant at_rest(const Quantities& q) {
+  Instant instant;
+  for (int i = 0; i < q.size(); ++i) instant.q.emplace_back(q[i]);
+  return instant;
+}
+Quantities posture(Problem& problem, const Robot& robot) {
+  std::vector<Interval> range;
+  for (int i = 0; i < robot.size(); ++i) range.push_back({robot.q_lower[i], robot.q_upper[i], 1});
+  return problem.add_variables("joint limits", "rad, m", range);
 }
 
 }  // namespace
@@ -47,28 +61,41 @@ std::vector<Vector3> Place::normals() const {
 Stance::Stance(Problem& problem, const Robot& robot, const std::vector<bool>& passive,
                Aspect aspect)
     : problem_(problem), robot_(robot), passive_(passive), aspect_(aspect) {
-  std::vector<Interval> range;
-  for (int i = 0; i < robot.size(); ++i) range.push_back({robot.q_lower[i], robot.q_upper[i], 1});
-  q_ = problem.add_variables("joint limits", "rad, m", range);
-  std::vector<Affine> inputs;
-  for (int i = 0; i < q_.size(); ++i) inputs.push_back(q_[i]);
-  placements_ = problem.evaluate(robot.placements, inputs);
+  q_ = posture(problem, robot);
+  instant_ = at_rest(q_);
   wrenches_.resize(6 * robot.loads.size());
 }
 
-AffineVector Stance::direction(const std::string& frame, const Vector3& local) const {
+Stance::Stance(Problem& problem, const Robot& robot, const std::vector<bool>& passive,
+               Aspect aspect, Instant instant)
+    : problem_(problem),
+      robot_(robot),
+      passive_(passive),
+      aspect_(aspect),
+      instant_(std::move(instant)) {
+  if (!instant_.v.empty() && !robot.dynamics)
+    throw std::invalid_argument(robot.name + " is generated without rnea and its derivatives");
+  wrenches_.resize(6 * robot.loads.size());
+}
+
+const Quantities& Stance::placements() {
+  if (placements_.size() == 0) placements_ = problem_.evaluate(robot_.placements, instant_.q);
+  return placements_;
+}
+
+AffineVector Stance::direction(const std::string& frame, const Vector3& local) {
   const int first = 12 * robot_.frame(frame);
   AffineVector a;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      if (local[j] != 0) a[i] += local[j] * Affine(placements_[first + 3 * i + j]);
+      if (local[j] != 0) a[i] += local[j] * Affine(placements()[first + 3 * i + j]);
   return a;
 }
 
-AffineVector Stance::point(const std::string& frame, const Vector3& local) const {
+AffineVector Stance::point(const std::string& frame, const Vector3& local) {
   AffineVector p = direction(frame, local);
   const int first = 12 * robot_.frame(frame) + 9;
-  for (int i = 0; i < 3; ++i) p[i] += placements_[first + i];
+  for (int i = 0; i < 3; ++i) p[i] += placements()[first + i];
   return p;
 }
 
@@ -108,8 +135,7 @@ int Stance::add_target(const std::string& name, const std::string& frame, const 
 
 /// Three of a contact's own variables along the world's axes: f = R own, by variables of their own.
 AffineVector Stance::in_world(const std::string& name, const std::string& unit,
-                              const Contact& contact, const Quantities& own, int first) {
-  const AffineVector given = vector_of(own, first);
+                              const Contact& contact, const AffineVector& given) {
   if (!contact.own_axes) return given;
   const Quantities f =
       problem_.add_variables(name, unit, std::vector<Interval>(3, {-kInfinity, kInfinity, kForce}));
@@ -148,34 +174,49 @@ void Stance::apply(const std::string& frame, const AffineVector& f, const Affine
   }
 }
 
-void Stance::add(const Contact& contact) {
+void Stance::add_place(const Contact& contact) {
   if (contact.align.size() > 2)
     throw std::invalid_argument("contact '" + contact.name + "': more than two axes are aligned");
   const int position = problem_.add_group(contact.name + ", position", "m");
   add_rows(position, point(contact.frame, contact.point), contact.place);
   if (!contact.align.empty())
     add_rows(problem_.add_group(contact.name + ", orientation", "1"), contact.frame, contact.align);
-  if (aspect_ != Aspect::kAll) return;
+}
+
+std::vector<Interval> reaction_range(const Contact& contact) {
   std::vector<Interval> range;
   for (const auto* limits : {&contact.force, &contact.moment})
     for (const Limits& l : *limits) range.push_back({l.lower, l.upper, kForce});
+  return range;
+}
+
+void Stance::add(const Contact& contact) {
+  add_place(contact);
+  if (aspect_ != Aspect::kAll) return;
   const Quantities own =
-      problem_.add_variables(contact.name + ", reaction limits", "N, N m", range);
+      problem_.add_variables(contact.name + ", reaction limits", "N, N m", reaction_range(contact));
   reactions_.push_back(own);
-  const AffineVector f = in_world(contact.name + ", force", "N", contact, own, 0);
-  const AffineVector n = in_world(contact.name + ", moment", "N m", contact, own, 3);
+  Reaction reaction;
+  for (int i = 0; i < 6; ++i) reaction[i] = own[i];
+  add_reaction(contact, reaction);
+  add_friction(problem_, contact, reaction);
+}
+
+void Stance::add_reaction(const Contact& contact, const Reaction& own) {
+  const AffineVector f = in_world(contact.name + ", force", "N", contact, vector_of(own, 0));
+  const AffineVector n = in_world(contact.name + ", moment", "N m", contact, vector_of(own, 3));
   apply(contact.frame, f,
         about_origin(contact.name + ", moment arm", contact.frame, contact.point, f, n));
-  if (std::isfinite(contact.friction)) add_friction(contact, own);
 }
 
 /// sqrt(|F_t|^2 + e^2) <= mu F_n: never outside of the cone, smooth at its apex.
-void Stance::add_friction(const Contact& contact, const Quantities& reaction) {
+void add_friction(Problem& problem, const Contact& contact, const Reaction& reaction) {
+  if (!std::isfinite(contact.friction)) return;
   const AffineVector f = vector_of(reaction, 0);
   const auto [t1, t2] = across(contact.normal);
-  const int group = problem_.add_group(contact.name + ", friction", "N");
-  problem_.require(group, rounded_norm(2, kRounding), {dot(t1, f), dot(t2, f)},
-                   -contact.friction * dot(contact.normal.normalized(), f), -kInfinity, 0, kForce);
+  const int group = problem.add_group(contact.name + ", friction", "N");
+  problem.require(group, rounded_norm(2, kRounding), {dot(t1, f), dot(t2, f)},
+                  -contact.friction * dot(contact.normal.normalized(), f), -kInfinity, 0, kForce);
 }
 
 void Stance::add(const Load& load) {
@@ -184,14 +225,15 @@ void Stance::add(const Load& load) {
   apply(load.frame, f, about_origin(load.name + ", moment arm", load.frame, load.point, f, {}));
 }
 
-void Stance::finish() {
+void Stance::finish(bool balance) {
   if (aspect_ != Aspect::kAll) return;
-  std::vector<Affine> inputs;
-  for (int i = 0; i < q_.size(); ++i) inputs.push_back(q_[i]);
-  inputs.insert(inputs.end(), wrenches_.begin(), wrenches_.end());
-  const Quantities statics = problem_.evaluate(robot_.statics, inputs);
+  std::vector<Affine> inputs = instant_.q;
+  for (const auto* more : {&instant_.v, &instant_.a, &wrenches_})
+    inputs.insert(inputs.end(), more->begin(), more->end());
+  const Quantities needed =
+      problem_.evaluate(instant_.v.empty() ? robot_.statics : robot_.dynamics, inputs);
   std::vector<Interval> range;
-  for (int i = 0; i < q_.size(); ++i) {
+  for (int i = 0; i < robot_.size(); ++i) {
     if (passive_[i]) continue;
     driven_.push_back(i);
     const double largest = std::max(-robot_.tau_lower[i], robot_.tau_upper[i]);
@@ -199,14 +241,15 @@ void Stance::finish() {
                      std::isfinite(largest) && largest > 0 ? largest : kUnlimited});
   }
   tau_ = problem_.add_variables("torque limits", "N m, N", range);
-  const int base = problem_.add_group("equilibrium", "N, N m");
+  const int base =
+      problem_.add_group(instant_.v.empty() ? "equilibrium" : "equations of motion", "N, N m");
   const int joints = problem_.add_group("torques", "N m, N");
-  for (int i = 0, k = 0; i < q_.size(); ++i) {
+  for (int i = 0, k = 0; i < robot_.size(); ++i) {
     if (passive_[i]) {
-      problem_.require(base, statics[i], 0, 0, kForce);
+      if (balance) problem_.require(base, needed[i], 0, 0, kForce);
       continue;
     }
-    problem_.require(joints, Affine(statics[i]) - tau_[k], 0, 0, range[k].scale);
+    problem_.require(joints, Affine(needed[i]) - tau_[k], 0, 0, range[k].scale);
     ++k;
   }
 }

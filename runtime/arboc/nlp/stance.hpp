@@ -1,6 +1,7 @@
-// A robot at rest, as parts of a problem: its posture, what holds it, what it shall reach.
+// A robot at an instant, as parts of a problem: its posture, what holds it, what it shall reach.
 //
-//   statics(q, loads) = tau         one row a coordinate; 0 where nothing drives it
+//   statics(q, loads) = tau            at rest; one row a coordinate, 0 where nothing drives it
+//   rnea(q, v, a, loads) = tau         in motion
 // The torques are variables, so that limits are bounds and costs of torques have diagonal Hessians.
 // Of a contact the reaction is a variable: force and moment at its point, on the body, along the
 // world's axes or its frame's.  Positions and directions are linear in what the generated fk gives;
@@ -71,22 +72,41 @@ enum class Aspect {
   kProjection,
 };
 
+/// How the robot moves at an instant: sums of variables, one a coordinate.  At rest v and a are
+/// empty.
+struct Instant {
+  std::vector<Affine> q, v, a;
+};
+
+/// Force and moment of a contact at its point, along its axes.
+using Reaction = std::array<Affine, 6>;
+
 class Stance {
  public:
-  /// `passive`: coordinates that nothing drives.
+  /// At rest, in a posture whose coordinates become variables.  `passive`: coordinates that nothing
+  /// drives.
   Stance(Problem& problem, const Robot& robot, const std::vector<bool>& passive, Aspect aspect);
+  Stance(Problem& problem, const Robot& robot, const std::vector<bool>& passive, Aspect aspect,
+         Instant instant);
 
+  /// Variables, of the first constructor.
   const Quantities& q() const { return q_; }
-  AffineVector point(const std::string& frame, const Vector3& local) const;
-  AffineVector direction(const std::string& frame, const Vector3& local) const;
+  AffineVector point(const std::string& frame, const Vector3& local);
+  AffineVector direction(const std::string& frame, const Vector3& local);
 
+  /// Rows of its place, and a reaction that is variables.
   void add(const Contact& contact);
+  /// Rows of its place only; these are groups `name, position` and `name, orientation`.
+  void add_place(const Contact& contact);
+  /// What it pushes with, and nothing else.
+  void add_reaction(const Contact& contact, const Reaction& reaction);
   void add(const Load& load);
   /// Rows of a place and of alignments, as a group; its index.
   int add_target(const std::string& name, const std::string& frame, const Vector3& local,
                  const Place& place, const std::vector<Alignment>& align = {});
-  /// After all contacts and loads: the rows of equilibrium.
-  void finish();
+  /// After all contacts and loads: the rows of torques, and unless told otherwise those of passive
+  /// coordinates.
+  void finish(bool balance = true);
 
   /// After finish(), of the coordinates that are driven, in their order.
   const std::vector<int>& driven() const { return driven_; }
@@ -100,21 +120,30 @@ class Stance {
   void add_rows(int group, const AffineVector& p, const Place& place);
   void add_rows(int group, const std::string& frame, const std::vector<Alignment>& align);
   AffineVector in_world(const std::string& name, const std::string& unit, const Contact& contact,
-                        const Quantities& own, int first);
+                        const AffineVector& own);
   AffineVector about_origin(const std::string& name, const std::string& frame, const Vector3& point,
                             const AffineVector& f, const AffineVector& n);
   void apply(const std::string& frame, const AffineVector& f, const AffineVector& n);
-  void add_friction(const Contact& contact, const Quantities& reaction);
+  /// Of frames; evaluated if something asks for them.
+  const Quantities& placements();
 
   Problem& problem_;
   const Robot& robot_;
   std::vector<bool> passive_;
   Aspect aspect_;
   Quantities q_, placements_, tau_;
+  Instant instant_;
   std::vector<int> driven_;
   std::vector<Quantities> reactions_;
   std::vector<Affine> wrenches_;
 };
+
+/// The variables of a contact's reaction, within its limits.
+std::vector<Interval> reaction_range(const Contact& contact);
+/// The row of its friction cone, if it has one.
+void add_friction(Problem& problem, const Contact& contact, const Reaction& reaction);
+/// What counts as 1 of forces and moments, N and N m.
+constexpr double kForceScale = 100;
 
 /// Two unit vectors that make a right-handed triple with n.
 std::array<Vector3, 2> across(const Vector3& n);
