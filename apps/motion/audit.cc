@@ -1,0 +1,235 @@
+#include "audit.h"
+
+#include <posture/build.h>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <arboc/measures/torque.hpp>
+#include <cmath>
+
+namespace motion {
+namespace {
+
+using namespace arboc::nlp;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Turn = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+
+/// One row an instant as functions take them.
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+Turn turn_of(const double* placement) { return Turn(placement); }
+Vector3 place_of(const double* placement) { return Vector3(placement + 9); }
+
+/// Loads as the dynamics take them: force and moment about the frame's origin, world axes.
+void add_wrench(const Robot& robot, const std::string& frame, const Vector3& point,
+                const double* placements, const Vector3& f, const Vector3& n, double* wrenches) {
+  const Vector3 arm = turn_of(placements + 12 * robot.frame(frame)) * point;
+  double* at = wrenches + 6 * robot.load(frame);
+  Eigen::Map<Vector3> force(at), moment(at + 3);
+  force += f;
+  moment += n + arm.cross(f);
+}
+
+/// Forces and moments of contacts along the world's axes.
+VectorXd in_world(const Task& task, const Robot& robot, const VectorXd& own,
+                  const double* placements) {
+  VectorXd world = own;
+  const std::vector<Contact>& contacts = task.start.posture.contacts;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (!contacts[c].own_axes) continue;
+    const Turn R = turn_of(placements + 12 * robot.frame(contacts[c].frame));
+    const auto at = static_cast<Eigen::Index>(6 * c);
+    world.segment<3>(at) = R * own.segment<3>(at);
+    world.segment<3>(at + 3) = R * own.segment<3>(at + 3);
+  }
+  return world;
+}
+
+/// How far a point is off its place, m.
+double off_place(const Place& place, const Vector3& p) {
+  double sum = 0;
+  for (const Vector3& n : place.normals()) {
+    const double d = n.dot(p - place.at);
+    if (place.kind != Place::Kind::kAbove || d < 0) sum += d * d;
+  }
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+void Worst::note(double x, double t, const std::string& what) {
+  if (!(x > value)) return;
+  value = x;
+  time = t;
+  where = what;
+}
+
+Samples sample(const Task& task, const Model& model, const Motion& motion, int count) {
+  const Robot& robot = model.robot;
+  const auto n = static_cast<Eigen::Index>(robot.size());
+  Samples s;
+  s.t = VectorXd::LinSpaced(count, motion.q.basis().begin(), motion.q.basis().end());
+  s.q.resize(count, n);
+  s.v.resize(count, n);
+  s.a.resize(count, n);
+  s.reactions.resize(count, motion.reactions.points().rows());
+  for (Eigen::Index k = 0; k < count; ++k) {
+    s.q.row(k) = motion.q(s.t[k]).transpose();
+    s.v.row(k) = motion.q(s.t[k], 1).transpose();
+    s.a.row(k) = motion.q(s.t[k], 2).transpose();
+  }
+  const Rows q = s.q;
+  Rows placements(count, robot.placements->outputs()), tau(count, n);
+  robot.placements->values(count, q.data(), placements.data());
+  Rows inputs = Rows::Zero(count, robot.dynamics->inputs());
+  inputs.leftCols(3 * n) << s.q, s.v, s.a;
+  const std::vector<Contact>& contacts = task.start.posture.contacts;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const double* at = placements.row(k).data();
+    double* wrenches = inputs.row(k).data() + 3 * n;
+    const VectorXd R = in_world(task, robot, motion.reactions(s.t[k]), at);
+    s.reactions.row(k) = R.transpose();
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+      add_wrench(robot, contacts[c].frame, contacts[c].point, at,
+                 R.segment<3>(static_cast<Eigen::Index>(6 * c)),
+                 R.segment<3>(static_cast<Eigen::Index>(6 * c + 3)), wrenches);
+    for (const Load& load : task.start.posture.loads)
+      add_wrench(robot, load.frame, load.point, at, load.force, Vector3::Zero(), wrenches);
+  }
+  robot.dynamics->values(count, inputs.data(), tau.data());
+  s.tau = tau;
+  s.placements = placements;
+  return s;
+}
+
+std::vector<bool> translations(const Model& model) {
+  const Robot& robot = model.robot;
+  const auto n = static_cast<std::size_t>(robot.size());
+  std::vector<double> q(n, 0), here(static_cast<std::size_t>(robot.placements->outputs())), there;
+  robot.placements->values(1, q.data(), here.data());
+  std::vector<bool> out(n, false);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!model.passive[i]) continue;
+    q[i] = 1;
+    there = here;
+    robot.placements->values(1, q.data(), there.data());
+    q[i] = 0;
+    double turned = 0;
+    for (std::size_t k = 0; k < here.size(); ++k)
+      if (k % 12 < 9) turned = std::max(turned, std::fabs(there[k] - here[k]));
+    out[i] = turned < 1e-9;
+  }
+  return out;
+}
+
+bool Audit::passes(const Tolerance& t) const {
+  return force.value <= t.force && moment.value <= t.moment && drift.value <= t.drift &&
+         torque_excess.value <= t.torque;
+}
+
+namespace {
+
+class Auditor {
+ public:
+  Auditor(const Task& task, const Model& model, const Samples& samples)
+      : task_(task), model_(model), s_(samples), translation_(translations(model)) {}
+
+  Audit run() {
+    out_.instants = static_cast<int>(s_.t.size());
+    for (Eigen::Index k = 0; k < s_.t.size(); ++k) {
+      balance(k);
+      torques(k);
+      for (std::size_t c = 0; c < task_.start.posture.contacts.size(); ++c) contact(k, c);
+    }
+    return out_;
+  }
+
+ private:
+  void balance(Eigen::Index k) {
+    double force = 0, moment = 0;
+    for (std::size_t i = 0; i < model_.passive.size(); ++i) {
+      if (!model_.passive[i]) continue;
+      const double miss = s_.tau(k, static_cast<Eigen::Index>(i));
+      (translation_[i] ? force : moment) += miss * miss;
+    }
+    out_.force.note(std::sqrt(force), s_.t[k], "");
+    out_.moment.note(std::sqrt(moment), s_.t[k], "");
+  }
+
+  void torques(Eigen::Index k) {
+    const Robot& robot = model_.robot;
+    for (std::size_t i = 0; i < model_.passive.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
+      out_.joint_excess.note(
+          std::max(robot.q_lower[i] - s_.q(k, at), s_.q(k, at) - robot.q_upper[i]), s_.t[k],
+          robot.coordinates[i]);
+      if (model_.passive[i] || !std::isfinite(robot.tau_upper[i])) continue;
+      const double n =
+          arboc::normalised_torque(s_.tau(k, at), robot.tau_lower[i], robot.tau_upper[i]);
+      out_.largest_normalised = std::max(out_.largest_normalised, n);
+      out_.torque_excess.note(n - 1, s_.t[k], robot.coordinates[i]);
+    }
+  }
+
+  void contact(Eigen::Index k, std::size_t c) {
+    const Contact& contact = task_.start.posture.contacts[c];
+    Eigen::Matrix<double, 12, 1> placement =
+        s_.placements.row(k).segment<12>(12 * model_.robot.frame(contact.frame)).transpose();
+    const Turn R = turn_of(placement.data());
+    out_.drift.note(off_place(contact.place, place_of(placement.data()) + R * contact.point),
+                    s_.t[k], contact.name);
+    for (const Alignment& a : contact.align) {
+      const Vector3 axis = R * a.axis.normalized();
+      out_.turn.note(axis.cross(a.direction.normalized()).norm(), s_.t[k], contact.name);
+    }
+    if (!std::isfinite(contact.friction)) return;
+    Vector3 f = s_.reactions.row(k).segment<3>(static_cast<Eigen::Index>(6 * c)).transpose();
+    if (contact.own_axes) f = R.transpose() * f;
+    const Vector3 n = contact.normal.normalized();
+    out_.friction_excess.note((f - n * n.dot(f)).norm() - contact.friction * n.dot(f), s_.t[k],
+                              contact.name);
+  }
+
+  const Task& task_;
+  const Model& model_;
+  const Samples& s_;
+  std::vector<bool> translation_;
+  Audit out_;
+};
+
+}  // namespace
+
+Audit audit(const Task& task, const Model& model, const Samples& samples) {
+  return Auditor(task, model, samples).run();
+}
+
+std::map<std::string, double> measures(const Task& task, const Model& model, const Motion& motion,
+                                       const Samples& s) {
+  const Robot& robot = model.robot;
+  const std::vector<double> relaxed = posture::relaxed_of(task.start.posture, model);
+  std::map<std::string, double> out;
+  for (Eigen::Index k = 0; k < s.t.size(); ++k) {
+    // The trapezoidal rule.
+    const double w = (k == 0 || k == s.t.size() - 1 ? 0.5 : 1.0) / (double(s.t.size()) - 1);
+    for (std::size_t i = 0; i < relaxed.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
+      out["acceleration"] += w * s.a(k, at) * s.a(k, at);
+      if (model.passive[i]) continue;
+      const double off = s.q(k, at) - relaxed[i], tau = s.tau(k, at);
+      out["displacement"] += w * off * off;
+      out["torque"] += w * tau * tau;
+      out["power"] += w * std::fabs(tau * s.v(k, at));
+      if (!std::isfinite(robot.tau_upper[i])) continue;
+      const double n = arboc::normalised_torque(tau, robot.tau_lower[i], robot.tau_upper[i]);
+      out["normalised"] += w * n * n;
+      out["maximum"] = std::max(out["maximum"], n);
+    }
+  }
+  const Eigen::MatrixXd& P = motion.q.points();
+  const Eigen::MatrixXd G = arboc::gram_matrix(motion.q.basis(), 3, 3);
+  out["jerk"] = (P * G).cwiseProduct(P).sum() / task.duration;
+  out["smoothness"] = out["jerk"] * std::pow(task.duration, 6);
+  return out;
+}
+
+}  // namespace motion

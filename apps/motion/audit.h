@@ -1,0 +1,45 @@
+// What a motion does at many instants, frames or not: from its curves alone, by the robot's
+// dynamics and placements, without the problem that it came from.
+#pragma once
+#include "build.h"
+
+namespace motion {
+
+/// States in time, one row an instant.
+struct Samples {
+  Eigen::VectorXd t;
+  Eigen::MatrixXd q, v, a;     ///< coordinates
+  Eigen::MatrixXd tau;         ///< what drives are asked for; passive ones: what is missing there
+  Eigen::MatrixXd reactions;   ///< six a contact: force and moment on the body at the point, world
+  Eigen::MatrixXd placements;  ///< twelve a frame
+};
+Samples sample(const Task& task, const Model& model, const Motion& motion, int count);
+
+/// The worst of many instants, and when it happens.
+struct Worst {
+  double value = 0, time = 0;
+  std::string where{};
+
+  void note(double x, double t, const std::string& what);
+};
+struct Audit {
+  int instants = 0;
+  Worst force, moment;    ///< of the passive coordinates: N, N m
+  Worst drift, turn;      ///< of contacts: m, 1 (sine of the angle)
+  Worst torque_excess;    ///< beyond the limit, as part of it
+  Worst joint_excess;     ///< beyond limits of coordinates: rad, m
+  Worst friction_excess;  ///< outside of friction cones: N
+  double largest_normalised = 0;
+
+  bool passes(const Tolerance& t) const;
+};
+Audit audit(const Task& task, const Model& model, const Samples& samples);
+
+/// Passive coordinates whose force is one in N.
+std::vector<bool> translations(const Model& model);
+
+/// Means over time of the measures of the objective, unweighted, and the largest ones.
+std::map<std::string, double> measures(const Task& task, const Model& model, const Motion& motion,
+                                       const Samples& samples);
+
+}  // namespace motion

@@ -1,0 +1,374 @@
+#include "build.h"
+
+#include <posture/build.h>
+#include <algorithm>
+#include <arboc/nlp/scalars.hpp>
+#include <cmath>
+
+namespace motion {
+namespace {
+
+using namespace arboc::nlp;
+using arboc::BSplineBasis;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Half widths of the boxes where there are more frames than a curve can meet exactly.
+constexpr double kBoxForce = 1, kBoxPlace = 5e-4;  ///< N or N m; m or 1
+
+/// Integrals of products of k-th derivatives, over the duration.
+MatrixXd mean_square(const BSplineBasis& basis, int k) {
+  return MatrixXd(arboc::gram_matrix(basis, k, k)) / (basis.end() - basis.begin());
+}
+
+class Builder {
+ public:
+  Builder(const Task& task, const Model& model, const Ends& ends, const Motion& guess)
+      : task_(task),
+        model_(model),
+        ends_(ends),
+        contacts_(task.start.posture.contacts),
+        out_{nullptr,
+             frames_of(task, ends, guess.q.basis(), guess.reactions.basis()),
+             guess.q.basis(),
+             guess.reactions.basis(),
+             {},
+             {},
+             -1},
+        guess_(guess) {}
+
+  Built run() {
+    add_coordinates();
+    add_reactions();
+    for (const Frames::Frame& frame : out_.frames.all) add_frame(frame);
+    for (const Via& via : task_.vias) add_via(via);
+    add_regularity();
+    if (task_.objective.maximum > 0) add_maximum();
+    out_.nlp = std::make_unique<Assembly>(std::move(problem_));
+    narrow_torques();
+    if (!out_.frames.exact) widen();
+    return std::move(out_);
+  }
+
+ private:
+  /// Bounds of control points are bounds of the curve.
+  void add_coordinates() {
+    const Robot& robot = model_.robot;
+    const int n = out_.q_basis.size();
+    MatrixXd fixed[2];
+    for (int e = 0; e < 2; ++e)
+      fixed[e] =
+          end_points(out_.q_basis, {ends_.q[e], ends_.v[e], VectorXd::Zero(robot.size())}, e == 1);
+    for (int j = 0; j < robot.size(); ++j) {
+      const Interval range{robot.q_lower[j], robot.q_upper[j], 1};
+      const Quantities free =
+          problem_.add_variables("joint limits", "rad, m", std::vector<Interval>(n - 6, range));
+      std::vector<Affine>& row = out_.q.points.emplace_back();
+      for (int i = 0; i < n; ++i)
+        row.push_back(i < 3        ? Affine(fixed[0](j, i))
+                      : i >= n - 3 ? Affine(fixed[1](j, i - n + 3))
+                                   : Affine(free[i - 3]));
+    }
+  }
+
+  /// So are those of reactions, and friction cones, as they are convex.
+  void add_reactions() {
+    const int n = out_.r_basis.size();
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      const std::vector<Interval> range = reaction_range(contacts_[c]);
+      for (std::size_t i = 0; i < 6; ++i) add_reaction(6 * c + i, contacts_[c].name, range[i]);
+      for (int k = 0; k < n; ++k) {
+        Reaction reaction;
+        for (std::size_t i = 0; i < 6; ++i)
+          reaction[i] = out_.r.points[6 * c + i][static_cast<std::size_t>(k)];
+        if (std::any_of(reaction.begin(), reaction.end(),
+                        [](const Affine& a) { return !a.terms.empty(); }))
+          add_friction(problem_, contacts_[c], reaction);
+      }
+    }
+  }
+  void add_reaction(std::size_t component, const std::string& name, const Interval& range) {
+    const int n = out_.r_basis.size();
+    std::vector<Affine>& row = out_.r.points.emplace_back();
+    const auto at = static_cast<Eigen::Index>(component);
+    for (int k = 0; k < n; ++k) {
+      const int e = k == 0 ? 0 : 1;
+      if (range.lower == range.upper)
+        row.emplace_back(range.lower);
+      else if ((k == 0 || k == n - 1) && ends_.at_rest[e])
+        row.emplace_back(ends_.reactions[e][at]);
+      else
+        row.emplace_back(problem_.add_variables(name + ", reaction limits", "N, N m", {range})[0]);
+    }
+  }
+
+  void add_frame(const Frames::Frame& frame) {
+    const double t = frame.t;
+    const BasisAt q = basis_at(out_.q_basis, t, 2), r = basis_at(out_.r_basis, t, 0);
+    Stance stance(problem_, model_.robot, model_.passive, Aspect::kAll,
+                  {out_.q.all(q, 0), out_.q.all(q, 1), out_.q.all(q, 2)});
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      if (frame.holds) stance.add_place(contacts_[c]);
+      Reaction reaction;
+      for (std::size_t i = 0; i < 6; ++i) reaction[i] = out_.r(static_cast<int>(6 * c + i), r, 0);
+      stance.add_reaction(contacts_[c], reaction);
+    }
+    for (const Load& load : task_.start.posture.loads) stance.add(load);
+    if (frame.holds) add_collisions(stance, t);
+    for (const posture::Look& look : task_.start.posture.looks)
+      if (frame.holds && look.within) add_look(stance, look);
+    stance.finish(frame.balances);
+    driven_ = stance.driven();
+    tau_.push_back(stance.tau());
+    add_torque_costs(frame.weight);
+  }
+
+  void add_torque_costs(double weight) {
+    const Objective& o = task_.objective;
+    for (int k = 0; k < tau_.back().size(); ++k) {
+      const int i = driven_[static_cast<std::size_t>(k)];
+      if (o.torque > 0) problem_.minimise("torque", o.torque * weight, square(), {tau_.back()[k]});
+      if (o.normalised > 0 && std::isfinite(upper(i)))
+        problem_.minimise("normalised", o.normalised * weight,
+                          normalised_square(lower(i), upper(i)), {tau_.back()[k]});
+    }
+  }
+
+  void add_look(Stance& stance, const posture::Look& look) {
+    const AffineVector a = stance.direction(look.frame, look.axis);
+    const Vector3& d = look.direction;
+    problem_.require(problem_.add_group(look.name, "1"), d.x() * a[0] + d.y() * a[1] + d.z() * a[2],
+                     std::cos(*look.within), kInfinity);
+  }
+
+  /// Pairs of spheres that are closer than the margin in the guess.
+  void add_collisions(Stance& stance, double t) {
+    const posture::Collision& collision = task_.start.posture.collision;
+    if (collision.spheres.empty()) return;
+    const std::vector<posture::Pair> pairs = posture::pairs(task_.start.posture);
+    const VectorXd q = guess_.q(t);
+    const std::vector<double> gaps =
+        posture::gaps(task_.start.posture, model_, pairs, {q.data(), q.data() + q.size()});
+    const int group = problem_.add_group("collision", "m^2");
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      if (gaps[k] > collision.margin) continue;
+      const posture::Sphere &a = collision.spheres[static_cast<std::size_t>(pairs[k].first)],
+                            &b = collision.spheres[static_cast<std::size_t>(pairs[k].second)];
+      const AffineVector p = centre(stance, a), s = centre(stance, b);
+      const double least = (a.radius + b.radius) * (a.radius + b.radius);
+      problem_.require(group, squared_norm(3), {p[0] - s[0], p[1] - s[1], p[2] - s[2]}, {}, least,
+                       kInfinity, least);
+    }
+  }
+  static AffineVector centre(Stance& stance, const posture::Sphere& s) {
+    if (s.frame.empty()) return {s.centre.x(), s.centre.y(), s.centre.z()};
+    return stance.point(s.frame, s.centre);
+  }
+
+  void add_via(const Via& via) {
+    const BasisAt q = basis_at(out_.q_basis, via.time, 0);
+    Stance stance(problem_, model_.robot, model_.passive, Aspect::kKinematics,
+                  {out_.q.all(q, 0), {}, {}});
+    stance.add_target(via.target.name, via.target.frame, via.target.point, via.target.place,
+                      via.target.align);
+  }
+
+  /// What is quadratic in the curves, integrated exactly.
+  void add_regularity() {
+    const Objective& o = task_.objective;
+    const double T6 = std::pow(task_.duration, 6);
+    const std::vector<double> relaxed = posture::relaxed_of(task_.start.posture, model_);
+    for (std::size_t j = 0; j < out_.q.points.size(); ++j) {
+      add_square("smoothness", o.smoothness * T6, out_.q_basis, 3, out_.q.points[j]);
+      add_square("acceleration", o.acceleration, out_.q_basis, 2, out_.q.points[j]);
+      add_square("jerk", o.jerk, out_.q_basis, 3, out_.q.points[j]);
+      if (model_.passive[j] || o.displacement == 0) continue;
+      std::vector<Affine> off = out_.q.points[j];
+      for (Affine& a : off) a.constant -= relaxed[j];
+      add_square("displacement", o.displacement, out_.q_basis, 0, off);
+    }
+    const double one = kForceScale * kForceScale;
+    for (const std::vector<Affine>& row : out_.r.points) {
+      if (std::all_of(row.begin(), row.end(), [](const Affine& a) { return a.terms.empty(); }))
+        continue;
+      add_square("reactions", o.reactions / one, out_.r_basis, 0, row);
+      add_square("smoothness of reactions", o.reaction_smoothness * T6 / one, out_.r_basis, 3, row);
+    }
+  }
+  void add_square(const std::string& name, double weight, const BSplineBasis& basis, int k,
+                  const std::vector<Affine>& points) {
+    if (weight > 0) problem_.minimise(name, weight, quadratic(2 * mean_square(basis, k)), points);
+  }
+
+  /// s >= n at all frames.
+  void add_maximum() {
+    const Quantities s =
+        problem_.add_variables("largest normalised torque", "1", {{0, kInfinity, 1}});
+    const int group = problem_.add_group("largest normalised torque", "1");
+    for (const Quantities& tau : tau_) {
+      for (int k = 0; k < tau.size(); ++k) {
+        const int i = driven_[static_cast<std::size_t>(k)];
+        if (!std::isfinite(upper(i))) continue;
+        problem_.require(group, (1 / upper(i)) * Affine(tau[k]) - s[0], -kInfinity, 0);
+        problem_.require(group, (1 / lower(i)) * Affine(tau[k]) - s[0], -kInfinity, 0);
+      }
+    }
+    problem_.minimise("maximum", task_.objective.maximum, s[0]);
+    out_.maximum = s[0].index;
+  }
+
+  /// Limits of torques at frames, where the task has some and where a margin is left.
+  void narrow_torques() {
+    const bool limits = task_.start.posture.torque_limits;
+    if (limits && task_.torque_margin == 0) return;
+    for (const Quantities& tau : tau_) {
+      for (int k = 0; k < tau.size(); ++k) {
+        const int i = driven_[static_cast<std::size_t>(k)];
+        const double part = limits ? 1 - task_.torque_margin : kInfinity;
+        out_.nlp->set_variable(tau[k].index, part * lower(i), part * upper(i));
+      }
+    }
+  }
+
+  void widen() {
+    const auto& groups = out_.nlp->row_groups();
+    for (int g = 0; g < static_cast<int>(groups.size()); ++g) {
+      const std::string& name = groups[static_cast<std::size_t>(g)].name;
+      const bool place = std::any_of(contacts_.begin(), contacts_.end(), [&](const Contact& c) {
+        return name == c.name + ", position" || name == c.name + ", orientation";
+      });
+      const double half = place ? kBoxPlace : name == "equations of motion" ? kBoxForce : 0;
+      if (half == 0) continue;
+      const auto& members = groups[static_cast<std::size_t>(g)].members;
+      for (int k = 0; k < static_cast<int>(members.size()); ++k) {
+        const auto row = static_cast<std::size_t>(members[static_cast<std::size_t>(k)]);
+        const double at = out_.nlp->rows().lower[row];
+        if (at == out_.nlp->rows().upper[row]) out_.nlp->set_row(g, k, at - half, at + half);
+      }
+    }
+  }
+
+  double lower(int i) const { return model_.robot.tau_lower[static_cast<std::size_t>(i)]; }
+  double upper(int i) const { return model_.robot.tau_upper[static_cast<std::size_t>(i)]; }
+
+  const Task& task_;
+  const Model& model_;
+  const Ends& ends_;
+  const std::vector<Contact>& contacts_;
+  Problem problem_;
+  Built out_;
+  const Motion& guess_;
+  std::vector<Quantities> tau_;
+  std::vector<int> driven_;
+};
+
+/// Variables and rows of one name belong together one by one: variable = what the row says.
+void fill_auxiliary(Assembly& nlp, std::vector<double>& x) {
+  std::vector<std::pair<int, int>> pairs;  // variable, row
+  for (const Group& variables : nlp.variable_groups()) {
+    const std::string name = variables.name == "torque limits" ? "torques" : variables.name;
+    for (const Group& rows : nlp.row_groups()) {
+      if (rows.name != name || rows.members.size() != variables.members.size()) continue;
+      for (std::size_t k = 0; k < rows.members.size(); ++k)
+        pairs.emplace_back(variables.members[k], rows.members[k]);
+    }
+  }
+  // Forces in the world's axes, then their moments, then torques.
+  for (int round = 0; round < 3; ++round) {
+    nlp.move_to(x.data());
+    const std::vector<double> c = nlp.constraints();
+    for (const auto& [variable, row] : pairs)
+      x[static_cast<std::size_t>(variable)] += c[static_cast<std::size_t>(row)];
+  }
+}
+
+}  // namespace
+
+namespace {
+
+/// Instants of q's and of reactions' free control points.
+std::vector<Frames::Frame> greville_frames(const Ends& ends, const BSplineBasis& q,
+                                           const BSplineBasis& reactions) {
+  std::vector<Frames::Frame> all;
+  const double near = 1e-9 * (q.end() - q.begin());
+  const VectorXd places = q.greville(), r = reactions.greville();
+  for (Eigen::Index k = 3; k < places.size() - 3; ++k) all.push_back({places[k], true, true, 0});
+  for (Eigen::Index k = 0; k < r.size(); ++k) {
+    const bool first = k == 0, last = k == r.size() - 1;
+    const bool known = (first && ends.at_rest[0]) || (last && ends.at_rest[1]);
+    if (!known && std::none_of(all.begin(), all.end(), [&](const Frames::Frame& f) {
+          return std::fabs(f.t - r[k]) < near;
+        }))
+      all.push_back({r[k], true, false, 0});
+  }
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
+  return all;
+}
+
+}  // namespace
+
+Frames frames_of(const Task& task, const Ends& ends, const BSplineBasis& q,
+                 const BSplineBasis& reactions) {
+  Frames frames;
+  std::vector<Frames::Frame> given;
+  if (const int n = task.search.frames; n > 0) {
+    for (int k = 1; k <= n; ++k)
+      given.push_back({q.begin() + (q.end() - q.begin()) * k / (n + 1), true, true, 0});
+    frames.exact = n <= q.size() - 6;
+  } else {
+    given = greville_frames(ends, q, reactions);
+  }
+  for (std::size_t k = 0; k <= given.size(); ++k) {
+    const double from = k == 0 ? q.begin() : given[k - 1].t;
+    const double to = k == given.size() ? q.end() : given[k].t;
+    for (int i = 1; i <= task.search.between; ++i)
+      frames.all.push_back({from + (to - from) * i / (task.search.between + 1), false, false, 0});
+    if (k < given.size()) frames.all.push_back(given[k]);
+  }
+  const std::size_t n = frames.all.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const double before = k == 0 ? q.begin() : frames.all[k - 1].t;
+    const double after = k + 1 == n ? q.end() : frames.all[k + 1].t;
+    frames.all[k].weight = (after - before) / 2 / (q.end() - q.begin());
+  }
+  return frames;
+}
+
+Built build(const Task& task, const Model& model, const Ends& ends, const Motion& guess) {
+  return Builder(task, model, ends, guess).run();
+}
+
+std::vector<double> variables_of(Built& built, const Motion& motion) {
+  const Scales& v = built.nlp->variables();
+  std::vector<double> x(v.size(), 0);
+  set_values(built.q, motion.q.points(), x);
+  set_values(built.r, motion.reactions.points(), x);
+  if (built.maximum >= 0) x[static_cast<std::size_t>(built.maximum)] = 1;
+  fill_auxiliary(*built.nlp, x);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::clamp(x[i], v.lower[i], v.upper[i]);
+  return x;
+}
+
+Motion motion_of(const Built& built, const std::vector<double>& x) {
+  return {arboc::BSpline(built.q_basis, values_of(built.q, x)),
+          arboc::BSpline(built.r_basis, values_of(built.r, x))};
+}
+
+Motion straight(const Ends& ends, const BSplineBasis& q, const BSplineBasis& reactions) {
+  const auto line = [&](const BSplineBasis& basis, const std::array<VectorXd, 2>& end, int fixed) {
+    const int n = basis.size();
+    MatrixXd P(end[0].size(), n);
+    for (int i = 0; i < n; ++i) {
+      const double u = std::clamp((i - fixed + 1.0) / (n - 2 * fixed + 1.0), 0.0, 1.0);
+      P.col(i) = (1 - u) * end[0] + u * end[1];
+    }
+    return P;
+  };
+  MatrixXd P = line(q, ends.q, 3);
+  const VectorXd still = VectorXd::Zero(P.rows());
+  P.leftCols(3) = end_points(q, {ends.q[0], ends.v[0], still}, false);
+  P.rightCols(3) = end_points(q, {ends.q[1], ends.v[1], still}, true);
+  return {arboc::BSpline(q, P), arboc::BSpline(reactions, line(reactions, ends.reactions, 1))};
+}
+
+}  // namespace motion

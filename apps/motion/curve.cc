@@ -1,0 +1,58 @@
+#include "curve.h"
+
+#include <Eigen/LU>
+
+namespace motion {
+
+using arboc::BSplineBasis;
+using arboc::nlp::Affine;
+using Eigen::MatrixXd;
+
+MatrixXd end_points(const BSplineBasis& basis, const EndState& state, bool at_end) {
+  const MatrixXd all = basis.derivatives(at_end ? basis.end() : basis.begin(), 2);
+  const MatrixXd B = at_end ? all.rightCols(3) : all.leftCols(3);
+  MatrixXd right(3, state.value.size());
+  right << state.value.transpose(), state.first.transpose(), state.second.transpose();
+  return B.partialPivLu().solve(right).transpose();
+}
+
+BasisAt basis_at(const BSplineBasis& basis, double t, int order) {
+  const int span = basis.span(t);
+  return {span - basis.degree(), basis.derivatives(t, order, span)};
+}
+
+Affine ControlPoints::operator()(int j, const BasisAt& at, int k) const {
+  Affine sum;
+  for (Eigen::Index i = 0; i < at.values.cols(); ++i)
+    if (at.values(k, i) != 0)
+      sum += at.values(k, i) *
+             points[static_cast<std::size_t>(j)][static_cast<std::size_t>(at.first + i)];
+  return sum;
+}
+
+std::vector<Affine> ControlPoints::all(const BasisAt& at, int k) const {
+  std::vector<Affine> out;
+  for (int j = 0; j < static_cast<int>(points.size()); ++j) out.push_back((*this)(j, at, k));
+  return out;
+}
+
+MatrixXd values_of(const ControlPoints& points, const std::vector<double>& x) {
+  const auto rows = static_cast<Eigen::Index>(points.points.size());
+  MatrixXd out(rows, rows > 0 ? static_cast<Eigen::Index>(points.points[0].size()) : 0);
+  for (Eigen::Index j = 0; j < out.rows(); ++j)
+    for (Eigen::Index i = 0; i < out.cols(); ++i) {
+      const Affine& a = points.points[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
+      out(j, i) = a.terms.empty() ? a.constant : x[static_cast<std::size_t>(a.terms[0].of.index)];
+    }
+  return out;
+}
+
+void set_values(const ControlPoints& points, const MatrixXd& values, std::vector<double>& x) {
+  for (Eigen::Index j = 0; j < values.rows(); ++j)
+    for (Eigen::Index i = 0; i < values.cols(); ++i) {
+      const Affine& a = points.points[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
+      if (!a.terms.empty()) x[static_cast<std::size_t>(a.terms[0].of.index)] = values(j, i);
+    }
+}
+
+}  // namespace motion

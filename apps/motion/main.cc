@@ -1,0 +1,87 @@
+// motion TASK.toml -o DIR: predicts a motion and writes what came out.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+
+#include "common/program.h"
+#include "write.h"
+
+namespace motion {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void interrupt(int) {
+  interrupted = 1;
+  std::signal(SIGINT, SIG_DFL);  // the next one ends the program
+}
+
+bool show(const Iteration& i) {
+  fmt::print(stderr, "{:9s} {:4d}  objective {:<13.7g} violation {:.1e}  {:.1f} s\n", i.stage.name,
+             i.progress.iteration, i.progress.objective, i.progress.violation, i.seconds);
+  return !interrupted;
+}
+
+void print(const Audit& a) {
+  fmt::print(
+      "  between frames, at {} instants: {:.2f} N, {:.2f} N m, {:.3f} mm, torques {:.2f} % beyond "
+      "their limits (largest {:.3f})\n",
+      a.instants, a.force.value, a.moment.value, 1e3 * a.drift.value, 1e2 * a.torque_excess.value,
+      a.largest_normalised);
+}
+
+void print(const Task& task, const Result& result) {
+  fmt::print("{}: {}: {}\n", task.name, text(result.status), result.reason);
+  fmt::print("{:.2f} s, of these postures at the ends {:.2f} s\n", result.seconds,
+             result.posture_seconds);
+  for (const Stage& s : result.stages) {
+    fmt::print(
+        "{}: {}, {} control points, {} frames, {} variables, {} rows: {} iterations, {:.2f} s "
+        "(CPU {:.2f}; set up {:.2f}, functions and derivatives {:.2f}), objective {:.6g}, KKT "
+        "{:.1e}, violation {:.1e}\n",
+        s.name, text(s.status), s.control_points, s.frames, s.variables, s.rows, s.iterations,
+        s.seconds, s.cpu_seconds, s.build_seconds, s.derivative_seconds, s.objective, s.kkt_error,
+        s.violation);
+    print(s.audit);
+  }
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("predicts the motion of a body between two postures, with its full dynamics");
+  std::string path, folder;
+  bool quiet = false;
+  Options options;
+  app.add_option("task", path, "the task file (docs/motion_prediction.md)")->required();
+  app.add_option("-o,--out", folder, "folder for result.json and tables")->required();
+  app.add_option("--threads", options.threads, "that evaluate functions")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--blas-threads", options.blas_threads, "of the linear solver")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("-q,--quiet", quiet, "no line an iteration");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 1;
+  }
+  const Task task = read_task(path);
+  const Model& of = posture::model(task.model);
+  std::signal(SIGINT, interrupt);
+  options.go_on = [quiet](const Iteration& i) { return quiet ? !interrupted : show(i); };
+  const Result result = predict(task, of, options);
+  study::write_files(folder, {{"result.json", json_text(task, of, result)},
+                              {"trajectory.csv", trajectory_csv(of, result)},
+                              {"reactions.csv", reactions_csv(task, result)}});
+  print(task, result);
+  return result.status == arboc::nlp::Status::kOptimal ? 0 : 5;
+}
+
+}  // namespace
+}  // namespace motion
+
+// Exit status as that of arboc: 1 usage, 2 input, 3 output, 4 internal, 5 ran but found no motion
+// that passes its audit.
+int main(int argc, char** argv) {
+  return study::exit_status([&] { return motion::run(argc, argv); });
+}

@@ -1,0 +1,253 @@
+#include "predict.h"
+
+#include <posture/build.h>
+#include <chrono>
+
+namespace motion {
+namespace {
+
+using namespace arboc::nlp;
+using arboc::BSplineBasis;
+using Clock = std::chrono::steady_clock;
+using Eigen::VectorXd;
+
+constexpr int kAuditPerFrame = 10, kLeastInstants = 401;
+constexpr double kMostMargin = 0.1;  ///< of torque limits
+
+double seconds_since(Clock::time_point t) {
+  return std::chrono::duration<double>(Clock::now() - t).count();
+}
+
+VectorXd vector_of(const std::vector<double>& x) {
+  return Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+}
+
+/// Of a posture's contacts, along their own axes where the task has them so.
+VectorXd reactions_of(const Model& model, const posture::Task& task, const posture::Result& r) {
+  VectorXd out(6 * static_cast<Eigen::Index>(task.contacts.size()));
+  std::vector<double> placements(static_cast<std::size_t>(model.robot.placements->outputs()));
+  model.robot.placements->values(1, r.q.data(), placements.data());
+  for (std::size_t c = 0; c < task.contacts.size(); ++c) {
+    Eigen::Matrix<double, 6, 1> wrench(r.reactions[c].data());
+    if (task.contacts[c].own_axes) {
+      const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> R(
+          placements.data() + 12 * model.robot.frame(task.contacts[c].frame));
+      wrench.head<3>() = (R.transpose() * wrench.head<3>()).eval();
+      wrench.tail<3>() = (R.transpose() * wrench.tail<3>()).eval();
+    }
+    out.segment<6>(static_cast<Eigen::Index>(6 * c)) = wrench;
+  }
+  return out;
+}
+
+VectorXd velocity_of(const Model& model, const End& end) {
+  return vector_of(posture::posture_of(
+      end.velocity, model, std::vector<double>(static_cast<std::size_t>(model.robot.size()), 0)));
+}
+
+/// Without torques: a smooth motion that holds on to its contacts within all limits.
+Objective smooth_only(const Objective& o) {
+  Objective out = o;
+  out.displacement = out.torque = out.normalised = out.maximum = 0;
+  return out;
+}
+
+bool asks_for_more(const Objective& o) {
+  return o.displacement > 0 || o.torque > 0 || o.normalised > 0 || o.maximum > 0;
+}
+
+/// A posture from `q`, with targets moved to a part of the way from where they are in `from`.
+posture::Result step_towards(posture::Task task, const Model& model, const std::vector<double>& q,
+                             const std::vector<double>& from, double part) {
+  const Robot& robot = model.robot;
+  std::vector<double> placements(static_cast<std::size_t>(robot.placements->outputs()));
+  robot.placements->values(1, from.data(), placements.data());
+  for (posture::Target& target : task.targets) {
+    const double* at = placements.data() + 12 * robot.frame(target.frame);
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> R(at);
+    const Vector3 here = R * target.point + Vector3(at + 9);
+    target.place.at = (1 - part) * here + part * target.place.at;
+  }
+  task.guess.clear();
+  for (std::size_t i = 0; i < q.size(); ++i) task.guess[robot.coordinates[i]] = q[i];
+  task.search.starts = 1;
+  task.search.restarts = 0;
+  task.search.random = false;
+  return posture::predict(task, model);
+}
+
+/// The posture at the end, by steps from the one at the start, so that it belongs to the same
+/// branch of all ways to hold on; where that leads nowhere, the best of all.
+posture::Result continued(const posture::Task& task, const Model& model,
+                          const posture::Result& start) {
+  posture::Result end = step_towards(task, model, start.q, start.q, 1);
+  if (end.status == Status::kOptimal) return end;
+  constexpr int kSteps = 5;
+  std::vector<double> q = start.q;
+  for (int k = 1; k <= kSteps; ++k) {
+    end = step_towards(task, model, q, start.q, static_cast<double>(k) / kSteps);
+    if (end.status != Status::kOptimal) return posture::predict(task, model);
+    q = end.q;
+  }
+  return end;
+}
+
+}  // namespace
+
+Ends predict_ends(const Task& task, const Model& model, posture::Result& start,
+                  posture::Result& end) {
+  start = posture::predict(task.start.posture, model);
+  if (start.status != Status::kOptimal)
+    throw std::runtime_error("no posture at the start: " + start.reason);
+  end = continued(task.end.posture, model, start);
+  if (end.status != Status::kOptimal)
+    throw std::runtime_error("no posture at the end: " + end.reason);
+  Ends ends;
+  ends.q = {vector_of(start.q), vector_of(end.q)};
+  ends.v = {velocity_of(model, task.start), velocity_of(model, task.end)};
+  ends.reactions = {reactions_of(model, task.start.posture, start),
+                    reactions_of(model, task.end.posture, end)};
+  ends.at_rest = {ends.v[0].isZero(0), ends.v[1].isZero(0)};
+  return ends;
+}
+
+Motion first_guess(const Task& task, const Ends& ends) {
+  const Curves& c = task.curves;
+  const int reactions = c.reaction_points > 0 ? c.reaction_points : c.control_points;
+  return straight(ends, BSplineBasis::clamped_uniform(c.degree, c.control_points, 0, task.duration),
+                  BSplineBasis::clamped_uniform(c.degree, reactions, 0, task.duration));
+}
+
+Motion improve(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
+               Stage& stage, Multipliers* multipliers, const Options& options) {
+  const Clock::time_point begin = Clock::now();
+  Built built = build(task, model, ends, guess);
+  const std::vector<double> x = variables_of(built, guess);
+  stage.control_points = built.q_basis.size();
+  for (const Frames::Frame& f : built.frames.all) {
+    stage.frames += f.balances;
+    stage.contact_frames += f.holds;
+    stage.torque_frames += !f.balances;
+  }
+  stage.variables = built.nlp->variables().size();
+  stage.rows = built.nlp->rows().size();
+  stage.jacobian = built.nlp->jacobian_pattern().size();
+  stage.hessian = built.nlp->hessian_pattern().size();
+  stage.build_seconds = seconds_since(begin);
+  SolverOptions solver;
+  solver.tolerance = task.search.kkt;
+  solver.row_tolerance = 1e-8;  // 1e-6 N, 1e-8 m
+  solver.max_iterations = task.search.iterations;
+  solver.max_seconds = task.search.seconds;
+  solver.blas_threads = options.blas_threads;
+  const bool fits = multipliers && multipliers->rows.size() == stage.rows &&
+                    multipliers->lower.size() == stage.variables;
+  if (fits) solver.warm = multipliers;
+  if (options.go_on)
+    solver.go_on = [&](const Progress& p) {
+      return options.go_on({stage, p, seconds_since(begin)});
+    };
+  const Solution s = solve(*built.nlp, x, solver);
+  if (multipliers) *multipliers = s.multipliers;
+  stage.status = s.status;
+  stage.reason = s.reason;
+  stage.iterations = s.iterations;
+  stage.objective = s.objective;
+  stage.kkt_error = s.kkt_error;
+  stage.violation = s.violation;
+  stage.cpu_seconds = s.cpu_seconds;
+  stage.derivative_seconds = s.derivative_seconds;
+  stage.hessian_seconds = s.hessian_seconds;
+  stage.time = built.nlp->time();
+  Motion motion = motion_of(built, s.x);
+  stage.seconds = seconds_since(begin);
+  return motion;
+}
+
+namespace {
+
+class Predictor {
+ public:
+  Predictor(const Task& task, const Model& model, const Options& options)
+      : task_(task), model_(model), options_(options) {
+    model.robot.dynamics->use_threads(options.threads);
+    model.robot.placements->use_threads(options.threads);
+  }
+
+  Result run() {
+    const Clock::time_point begin = Clock::now();
+    ends_ = predict_ends(task_, model_, result_.start, result_.end);
+    result_.posture_seconds = seconds_since(begin);
+    Motion motion = first_guess(task_, ends_);
+    const Motion guess = motion;
+    const bool more = asks_for_more(task_.objective);
+    if (!more || !task_.search.smooth_first) motion = solve_stage("objective", task_, guess);
+    if (more && !stopped_ && (task_.search.smooth_first || !good())) {
+      Task smooth = task_;
+      smooth.objective = smooth_only(task_.objective);
+      motion = solve_stage("smooth", smooth, guess);
+      if (good()) motion = solve_stage("objective", task_, motion);
+    }
+    while (good() && !result_.audit_passes &&
+           2 * motion.q.basis().size() - task_.curves.degree <= task_.search.most_control_points)
+      motion = refine(motion);
+    conclude(motion);
+    result_.seconds = seconds_since(begin);
+    return std::move(result_);
+  }
+
+ private:
+  /// With every span halved, and torques kept as far off their limits as they were beyond.
+  Motion refine(const Motion& motion) {
+    task_.search.frames *= 2;
+    const double excess = result_.stages.back().audit.torque_excess.value;
+    if (excess > task_.tolerance.torque)
+      task_.torque_margin = std::min(task_.torque_margin + excess, kMostMargin);
+    return solve_stage("refined", task_, {motion.q.refined(), motion.reactions.refined()});
+  }
+
+  bool good() const { return result_.stages.back().status == Status::kOptimal; }
+
+  Motion solve_stage(const std::string& name, const Task& task, const Motion& guess) {
+    Stage stage;
+    stage.name = name;
+    Options options = options_;
+    if (options_.go_on)
+      options.go_on = [this](const Iteration& i) { return !(stopped_ = !options_.go_on(i)); };
+    Motion motion = improve(task, model_, ends_, guess, stage, nullptr, options);
+    result_.samples =
+        sample(task, model_, motion, std::max(kLeastInstants, kAuditPerFrame * stage.frames + 1));
+    stage.audit = audit(task, model_, result_.samples);
+    result_.audit_passes = stage.audit.passes(task_.tolerance);
+    result_.stages.push_back(std::move(stage));
+    return motion;
+  }
+
+  void conclude(const Motion& motion) {
+    const Stage& last = result_.stages.back();
+    result_.status = last.status;
+    result_.reason = last.reason;
+    result_.audit = last.audit;
+    result_.measures = measures(task_, model_, motion, result_.samples);
+    result_.motion = motion;
+    if (good() && !result_.audit_passes) {
+      result_.status = Status::kStopped;
+      result_.reason = "the audit between frames fails: more control points are needed";
+    }
+  }
+
+  Task task_;
+  const Model& model_;
+  const Options& options_;
+  Ends ends_;
+  Result result_;
+  bool stopped_ = false;  ///< by the caller
+};
+
+}  // namespace
+
+Result predict(const Task& task, const Model& model, const Options& options) {
+  return Predictor(task, model, options).run();
+}
+
+}  // namespace motion

@@ -1,0 +1,64 @@
+// The way to a motion: postures at both ends, a straight line between them, the problem without and
+// with torques in the objective, more control points until the audit passes.
+#pragma once
+#include <posture/predict.h>
+
+#include "audit.h"
+
+namespace motion {
+
+/// A problem that was solved, with what it took.
+struct Stage {
+  std::string name;
+  arboc::nlp::Status status = arboc::nlp::Status::kStopped;
+  std::string reason;
+  int control_points = 0, frames = 0, contact_frames = 0, torque_frames = 0;
+  std::size_t variables = 0, rows = 0, jacobian = 0, hessian = 0;  ///< sizes and entries
+  int iterations = 0;
+  double objective = 0, kkt_error = 0, violation = 0;
+  double seconds = 0, cpu_seconds = 0, build_seconds = 0;
+  double derivative_seconds = 0, hessian_seconds = 0;
+  arboc::nlp::EvaluationTime time{};
+  Audit audit;
+};
+
+struct Result {
+  arboc::nlp::Status status = arboc::nlp::Status::kStopped;
+  std::string reason;
+  bool audit_passes = false;
+  double seconds = 0, posture_seconds = 0;
+  posture::Result start, end;
+  std::vector<Stage> stages;
+  std::optional<Motion> motion;
+  Samples samples;  ///< at ten times the frames, at least 401 instants
+  Audit audit;
+  std::map<std::string, double> measures;
+};
+
+/// What a caller sees of an iteration; false stops with what there is.
+struct Iteration {
+  const Stage& stage;
+  arboc::nlp::Progress progress;
+  double seconds;
+  std::vector<arboc::nlp::GroupViolation> violations{};
+};
+using GoOn = std::function<bool(const Iteration&)>;
+
+struct Options {
+  GoOn go_on = {};
+  int threads = 2;       ///< of functions
+  int blas_threads = 1;  ///< of the linear solver
+};
+
+Result predict(const Task& task, const Model& model, const Options& options = {});
+
+/// The stages, one by one.  Postures and reactions at both ends:
+Ends predict_ends(const Task& task, const Model& model, posture::Result& start,
+                  posture::Result& end);
+/// A motion on the bases of the task.
+Motion first_guess(const Task& task, const Ends& ends);
+/// From `guess`, on its bases.  With `multipliers` of a problem of the same size: warm.
+Motion improve(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
+               Stage& stage, arboc::nlp::Multipliers* multipliers, const Options& options);
+
+}  // namespace motion
