@@ -109,15 +109,16 @@ std::vector<bool> translations(const Model& model) {
   robot.placements->values(1, q.data(), here.data());
   std::vector<bool> out(n, false);
   for (std::size_t i = 0; i < n; ++i) {
-    if (!model.passive[i]) continue;
     q[i] = 1;
     there = here;
     robot.placements->values(1, q.data(), there.data());
     q[i] = 0;
-    double turned = 0;
-    for (std::size_t k = 0; k < here.size(); ++k)
-      if (k % 12 < 9) turned = std::max(turned, std::fabs(there[k] - here[k]));
-    out[i] = turned < 1e-9;
+    double turned = 0, moved = 0;
+    for (std::size_t k = 0; k < here.size(); ++k) {
+      double& most = k % 12 < 9 ? turned : moved;
+      most = std::max(most, std::fabs(there[k] - here[k]));
+    }
+    out[i] = turned < 1e-9 && moved > 1e-9;
   }
   return out;
 }

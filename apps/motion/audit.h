@@ -35,7 +35,7 @@ struct Audit {
 };
 Audit audit(const Task& task, const Model& model, const Samples& samples);
 
-/// Passive coordinates whose force is one in N.
+/// Coordinates that move without turning: their forces are in N.
 std::vector<bool> translations(const Model& model);
 
 /// Means over time of the measures of the objective, unweighted, and the largest ones.

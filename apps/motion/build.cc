@@ -23,9 +23,10 @@ MatrixXd mean_square(const BSplineBasis& basis, int k) {
 
 class Builder {
  public:
-  Builder(const Task& task, const Model& model, const Ends& ends, const Motion& guess)
+  Builder(const Task& task, const Model& model, const Ends& ends, const Motion& guess, Free free)
       : task_(task),
         model_(model),
+        free_(free),
         ends_(ends),
         contacts_(task.start.posture.contacts),
         out_{nullptr,
@@ -41,7 +42,8 @@ class Builder {
     add_coordinates();
     add_reactions();
     for (const Frames::Frame& frame : out_.frames.all) add_frame(frame);
-    for (const Via& via : task_.vias) add_via(via);
+    if (free_ == Free::kAll)
+      for (const Via& via : task_.vias) add_via(via);
     add_regularity();
     if (task_.objective.maximum > 0) add_maximum();
     out_.nlp = std::make_unique<Assembly>(std::move(problem_));
@@ -53,6 +55,7 @@ class Builder {
  private:
   /// Bounds of control points are bounds of the curve.
   void add_coordinates() {
+    if (free_ == Free::kReactions) return give_coordinates();
     const Robot& robot = model_.robot;
     const int n = out_.q_basis.size();
     MatrixXd fixed[2];
@@ -68,6 +71,14 @@ class Builder {
         row.push_back(i < 3        ? Affine(fixed[0](j, i))
                       : i >= n - 3 ? Affine(fixed[1](j, i - n + 3))
                                    : Affine(free[i - 3]));
+    }
+  }
+
+  void give_coordinates() {
+    const MatrixXd& P = guess_.q.points();
+    for (Eigen::Index j = 0; j < P.rows(); ++j) {
+      std::vector<Affine>& row = out_.q.points.emplace_back();
+      for (Eigen::Index i = 0; i < P.cols(); ++i) row.emplace_back(P(j, i));
     }
   }
 
@@ -104,19 +115,20 @@ class Builder {
 
   void add_frame(const Frames::Frame& frame) {
     const double t = frame.t;
+    const bool holds = frame.holds && free_ == Free::kAll;
     const BasisAt q = basis_at(out_.q_basis, t, 2), r = basis_at(out_.r_basis, t, 0);
     Stance stance(problem_, model_.robot, model_.passive, Aspect::kAll,
                   {out_.q.all(q, 0), out_.q.all(q, 1), out_.q.all(q, 2)});
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      if (frame.holds) stance.add_place(contacts_[c]);
+      if (holds) stance.add_place(contacts_[c]);
       Reaction reaction;
       for (std::size_t i = 0; i < 6; ++i) reaction[i] = out_.r(static_cast<int>(6 * c + i), r, 0);
       stance.add_reaction(contacts_[c], reaction);
     }
     for (const Load& load : task_.start.posture.loads) stance.add(load);
-    if (frame.holds) add_collisions(stance, t);
+    if (holds) add_collisions(stance, t);
     for (const posture::Look& look : task_.start.posture.looks)
-      if (frame.holds && look.within) add_look(stance, look);
+      if (holds && look.within) add_look(stance, look);
     stance.finish(frame.balances);
     driven_ = stance.driven();
     tau_.push_back(stance.tau());
@@ -178,7 +190,7 @@ class Builder {
     const Objective& o = task_.objective;
     const double T6 = std::pow(task_.duration, 6);
     const std::vector<double> relaxed = posture::relaxed_of(task_.start.posture, model_);
-    for (std::size_t j = 0; j < out_.q.points.size(); ++j) {
+    for (std::size_t j = 0; j < out_.q.points.size() && free_ == Free::kAll; ++j) {
       add_square("smoothness", o.smoothness * T6, out_.q_basis, 3, out_.q.points[j]);
       add_square("acceleration", o.acceleration, out_.q_basis, 2, out_.q.points[j]);
       add_square("jerk", o.jerk, out_.q_basis, 3, out_.q.points[j]);
@@ -253,6 +265,7 @@ class Builder {
 
   const Task& task_;
   const Model& model_;
+  Free free_;
   const Ends& ends_;
   const std::vector<Contact>& contacts_;
   Problem problem_;
@@ -334,8 +347,9 @@ Frames frames_of(const Task& task, const Ends& ends, const BSplineBasis& q,
   return frames;
 }
 
-Built build(const Task& task, const Model& model, const Ends& ends, const Motion& guess) {
-  return Builder(task, model, ends, guess).run();
+Built build(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
+            Free free) {
+  return Builder(task, model, ends, guess, free).run();
 }
 
 std::vector<double> variables_of(Built& built, const Motion& motion) {

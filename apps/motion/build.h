@@ -47,7 +47,10 @@ struct Built {
 };
 
 /// `guess` has the bases and says which spheres are close.
-Built build(const Task& task, const Model& model, const Ends& ends, const Motion& guess);
+/// What is free: all, or reactions only, of a motion that is given: then the problem is convex.
+enum class Free { kAll, kReactions };
+Built build(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
+            Free free = Free::kAll);
 
 /// Variables of a motion; torques and auxiliary forces are what it takes.
 std::vector<double> variables_of(Built& built, const Motion& motion);

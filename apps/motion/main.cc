@@ -5,7 +5,9 @@
 #include <csignal>
 #include <cstdio>
 
+#include "common/gltf.h"
 #include "common/program.h"
+#include "figures.h"
 #include "write.h"
 
 namespace motion {
@@ -51,10 +53,16 @@ void print(const Task& task, const Result& result) {
 int run(int argc, char** argv) {
   CLI::App app("predicts the motion of a body between two postures, with its full dynamics");
   std::string path, folder;
+  std::string from;
   bool quiet = false;
   Options options;
   app.add_option("task", path, "the task file (docs/motion_prediction.md)")->required();
-  app.add_option("-o,--out", folder, "folder for result.json and tables")->required();
+  app.add_option("-o,--out", folder, "folder for result.json, tables, plots and index.html")
+      ->required();
+  auto* from_option = app.add_option("--from", from, "start from the motion of this result.json");
+  app.add_flag("--reactions-only", options.reactions_only,
+               "keep that motion, find its reactions and torques")
+      ->needs(from_option);
   app.add_option("--threads", options.threads, "that evaluate functions")
       ->check(CLI::PositiveNumber);
   app.add_option("--blas-threads", options.blas_threads, "of the linear solver")
@@ -68,11 +76,26 @@ int run(int argc, char** argv) {
   const Task task = read_task(path);
   const Model& of = posture::model(task.model);
   std::signal(SIGINT, interrupt);
+  if (!from.empty()) options.from = read_motion(from, of, task.duration);
   options.go_on = [quiet](const Iteration& i) { return quiet ? !interrupted : show(i); };
   const Result result = predict(task, of, options);
-  study::write_files(folder, {{"result.json", json_text(task, of, result)},
-                              {"trajectory.csv", trajectory_csv(of, result)},
-                              {"reactions.csv", reactions_csv(task, result)}});
+  const study::Animation moving = animation(task, of, result);
+  study::Files files = {{"result.json", json_text(task, of, result)},
+                        {"trajectory.csv", trajectory_csv(of, result)},
+                        {"reactions.csv", reactions_csv(task, result)},
+                        {"motion.mot", opensim_text(coordinates_recording(of, result))},
+                        {"torques.sto", opensim_text(torques_recording(of, result))},
+                        {"reactions.mot", opensim_text(reactions_recording(task, of, result))},
+                        {"frames.trc", trc_text(markers_recording(task, of, result))},
+                        {"torques.svg", study::svg(torque_plot(of, result))},
+                        {"balance.svg", study::svg(balance_plot(of, result))},
+                        {"stroboscope.svg", stroboscope(of, result)},
+                        {"motion.glb", study::glb(moving)},
+                        {"index.html", study::html(page(task, of, result, moving))}};
+  for (std::size_t c = 0; c < task.start.posture.contacts.size(); ++c)
+    files.emplace_back(fmt::format("reaction_{}.svg", c + 1),
+                       study::svg(reaction_plot(task, result, c)));
+  study::write_files(folder, files);
   print(task, result);
   return result.status == arboc::nlp::Status::kOptimal ? 0 : 5;
 }

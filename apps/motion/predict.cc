@@ -118,10 +118,12 @@ Motion first_guess(const Task& task, const Ends& ends) {
                   BSplineBasis::clamped_uniform(c.degree, reactions, 0, task.duration));
 }
 
-Motion improve(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
-               Stage& stage, Multipliers* multipliers, const Options& options) {
+namespace {
+
+Motion solve_problem(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
+                     Free free, Stage& stage, Multipliers* multipliers, const Options& options) {
   const Clock::time_point begin = Clock::now();
-  Built built = build(task, model, ends, guess);
+  Built built = build(task, model, ends, guess, free);
   const std::vector<double> x = variables_of(built, guess);
   stage.control_points = built.q_basis.size();
   for (const Frames::Frame& f : built.frames.all) {
@@ -164,6 +166,18 @@ Motion improve(const Task& task, const Model& model, const Ends& ends, const Mot
   return motion;
 }
 
+}  // namespace
+
+Motion improve(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
+               Stage& stage, Multipliers* multipliers, const Options& options) {
+  return solve_problem(task, model, ends, guess, Free::kAll, stage, multipliers, options);
+}
+
+Motion react(const Task& task, const Model& model, const Ends& ends, const Motion& given,
+             Stage& stage, const Options& options) {
+  return solve_problem(task, model, ends, given, Free::kReactions, stage, nullptr, options);
+}
+
 namespace {
 
 class Predictor {
@@ -178,8 +192,9 @@ class Predictor {
     const Clock::time_point begin = Clock::now();
     ends_ = predict_ends(task_, model_, result_.start, result_.end);
     result_.posture_seconds = seconds_since(begin);
-    Motion motion = first_guess(task_, ends_);
-    const Motion guess = motion;
+    if (options_.reactions_only) return reactions_of_given(begin);
+    const Motion guess = options_.from ? *options_.from : first_guess(task_, ends_);
+    Motion motion = guess;
     const bool more = asks_for_more(task_.objective);
     if (!more || !task_.search.smooth_first) motion = solve_stage("objective", task_, guess);
     if (more && !stopped_ && (task_.search.smooth_first || !good())) {
@@ -206,6 +221,14 @@ class Predictor {
     return solve_stage("refined", task_, {motion.q.refined(), motion.reactions.refined()});
   }
 
+  Result reactions_of_given(Clock::time_point begin) {
+    if (!options_.from) throw std::invalid_argument("reactions of what? a motion is missing");
+    const Motion motion = solve_stage("reactions", task_, *options_.from);
+    conclude(motion);
+    result_.seconds = seconds_since(begin);
+    return std::move(result_);
+  }
+
   bool good() const { return result_.stages.back().status == Status::kOptimal; }
 
   Motion solve_stage(const std::string& name, const Task& task, const Motion& guess) {
@@ -214,7 +237,9 @@ class Predictor {
     Options options = options_;
     if (options_.go_on)
       options.go_on = [this](const Iteration& i) { return !(stopped_ = !options_.go_on(i)); };
-    Motion motion = improve(task, model_, ends_, guess, stage, nullptr, options);
+    Motion motion = options_.reactions_only
+                        ? react(task, model_, ends_, guess, stage, options)
+                        : improve(task, model_, ends_, guess, stage, nullptr, options);
     result_.samples =
         sample(task, model_, motion, std::max(kLeastInstants, kAuditPerFrame * stage.frames + 1));
     stage.audit = audit(task, model_, result_.samples);

@@ -46,8 +46,10 @@ using GoOn = std::function<bool(const Iteration&)>;
 
 struct Options {
   GoOn go_on = {};
-  int threads = 2;       ///< of functions
-  int blas_threads = 1;  ///< of the linear solver
+  std::optional<Motion> from = {};  ///< where to start; otherwise a straight line
+  bool reactions_only = false;      ///< of `from`
+  int threads = 2;                  ///< of functions
+  int blas_threads = 1;             ///< of the linear solver
 };
 
 Result predict(const Task& task, const Model& model, const Options& options = {});
@@ -60,5 +62,11 @@ Motion first_guess(const Task& task, const Ends& ends);
 /// From `guess`, on its bases.  With `multipliers` of a problem of the same size: warm.
 Motion improve(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
                Stage& stage, arboc::nlp::Multipliers* multipliers, const Options& options);
+/// The best reactions for a motion that is given, a convex problem; on the bases of `given`.
+Motion react(const Task& task, const Model& model, const Ends& ends, const Motion& given,
+             Stage& stage, const Options& options);
+
+/// The curves of a result.json, stretched to a duration.  Throws std::invalid_argument.
+Motion read_motion(const std::string& path, const Model& model, double duration);
 
 }  // namespace motion

@@ -1,6 +1,7 @@
 // Result -> files.
 #pragma once
 #include "predict.h"
+#include "recording.h"
 
 namespace motion {
 
@@ -10,5 +11,12 @@ std::string json_text(const Task& task, const Model& model, const Result& result
 std::string trajectory_csv(const Model& model, const Result& result);
 /// One row an instant: t, then force and moment of each contact, on the body, world axes.
 std::string reactions_csv(const Task& task, const Result& result);
+
+/// For OpenSim: angles in degrees, torques of driven coordinates, reactions as external loads; and
+/// the frames as markers.
+Recording coordinates_recording(const Model& model, const Result& result);
+Recording torques_recording(const Model& model, const Result& result);
+Recording reactions_recording(const Task& task, const Model& model, const Result& result);
+Recording markers_recording(const Task& task, const Model& model, const Result& result);
 
 }  // namespace motion

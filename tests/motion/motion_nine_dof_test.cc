@@ -57,5 +57,21 @@ TEST(NineDofMotion, ForcesCarryTheBody) {
                 7.4 + t.tolerance.force);
 }
 
+/// Reactions alone, of the motion that was found, are those that were found with it.
+TEST(NineDofMotion, ReactionsOfTheMotionAreTheSame) {
+  motion::Task t = motion_task("nine_dof_trial3_obj3");
+  t.duration = 5;
+  const motion::Result both = solve_motion(t);
+  expect_moves(t, both);
+  motion::Options options;
+  options.from = both.motion;
+  options.reactions_only = true;
+  const motion::Result given = motion::predict(t, posture::model(t.model), options);
+  EXPECT_EQ(given.status, nlp::Status::kOptimal) << given.reason;
+  EXPECT_LT(given.stages[0].iterations, 30);
+  EXPECT_LT((given.motion->q.points() - both.motion->q.points()).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_LT((given.samples.reactions - both.samples.reactions).cwiseAbs().maxCoeff(), 1e-2);
+}
+
 }  // namespace
 }  // namespace arboc::test

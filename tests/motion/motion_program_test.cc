@@ -31,10 +31,39 @@ TEST(MotionProgram, WritesWhatItFound) {
   for (const char* key : {"force_N", "moment_Nm", "drift_mm", "torque_excess"})
     EXPECT_TRUE(json["audit"].contains(key)) << key;
   EXPECT_GT(json["seconds"].get<double>(), 0);
+  for (const char* file :
+       {"torques.svg", "balance.svg", "stroboscope.svg", "reaction_1.svg", "reaction_2.svg",
+        "motion.glb", "motion.mot", "torques.sto", "reactions.mot", "frames.trc"})
+    EXPECT_GT(content(at / file).size(), 1000U) << file;
+  EXPECT_NE(content(at / "index.html").find("Torques over their limits"), std::string::npos);
   const std::string csv = content(at / "trajectory.csv");
   EXPECT_EQ(csv.substr(0, 4), "t,x,");
   EXPECT_GE(std::count(csv.begin(), csv.end(), '\n'), 402);
   EXPECT_EQ(std::count(csv.begin(), csv.begin() + static_cast<long>(csv.find('\n')), ','), 36);
+}
+
+TEST(MotionProgram, GoesOnFromAResult) {
+  const TempDir folder;
+  const std::string out = folder.path(), task = kTasks + "nine_dof_trial3_obj3.toml";
+  ASSERT_EQ(run_program({MOTION_PROGRAM, task, "-o", out, "-q"}).status, 0);
+  const auto first = nlohmann::json::parse(content(out + "/result.json"));
+  const auto again = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> line{MOTION_PROGRAM,      task, "-o", out + "/again", "-q", "--from",
+                                  out + "/result.json"};
+    line.insert(line.end(), more.begin(), more.end());
+    EXPECT_EQ(run_program(line).status, 0);
+    return nlohmann::json::parse(content(out + "/again/result.json"));
+  };
+  const double objective = first["stages"].back()["objective"];
+  EXPECT_NEAR(again({})["stages"].back()["objective"].get<double>(), objective, 1e-6);
+  // The motion is kept: only its reactions are looked for.
+  const auto reactions = again({"--reactions-only"});
+  EXPECT_EQ(reactions["curves"]["q"]["control_points"], first["curves"]["q"]["control_points"]);
+  // Itself against itself.
+  const Outcome same = run_program({MOTION_COMPARE, out + "/motion.mot", out + "/motion.mot"});
+  EXPECT_EQ(same.status, 0) << same.err;
+  EXPECT_NE(same.out.find("q3"), std::string::npos);
+  EXPECT_EQ(run_program({MOTION_COMPARE, out + "/motion.mot", "nowhere.csv"}).status, 2);
 }
 
 TEST(MotionProgram, FailsLoudlyWhereTheAuditFails) {

@@ -40,5 +40,25 @@ TEST(SantosMotion, LeansWithFullDynamics) {
     expect_reference_agrees(t, r, k);
 }
 
+TEST(SantosMotion, PullsHisHeadOverTheBar) {
+  const motion::Task t = motion_task("santos_pull_up");
+  const motion::Result r = solve_motion(t);
+  expect_moves(t, r);
+  const auto at = static_cast<Eigen::Index>((r.samples.t.size() - 1) / 2);
+  const int head = 12 * posture::model("santos").robot.frame("head");
+  EXPECT_GE(r.samples.placements(at, head + 10), 0.40 - 1e-6);  // the bar is at 0.25
+  // The feet push with less than half of the weight at any time.
+  EXPECT_LE((r.samples.reactions.col(13) + r.samples.reactions.col(19)).maxCoeff(), 460 + 1e-6);
+}
+
+TEST(HumanoidMotion, StepsWithoutTouchingTheGround) {
+  const motion::Task t = motion_task("humanoid_step");
+  const motion::Result r = solve_motion(t);
+  expect_moves(t, r);
+  const int foot = 12 * posture::model("humanoid").robot.frame("right_foot");
+  for (Eigen::Index k = 0; k < r.samples.t.size(); ++k)
+    EXPECT_GE(r.samples.placements(k, foot + 11), 0.06825 - 2e-3) << r.samples.t[k];
+}
+
 }  // namespace
 }  // namespace arboc::test

@@ -1,0 +1,41 @@
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "predict.h"
+
+namespace motion {
+namespace {
+
+arboc::BSpline curve_of(const nlohmann::json& json, double duration) {
+  std::vector<double> knots = json.at("knots").get<std::vector<double>>();
+  const double begin = knots.front(), stretch = duration / (knots.back() - begin);
+  for (double& u : knots) u = (u - begin) * stretch;
+  const auto rows = json.at("control_points").get<std::vector<std::vector<double>>>();
+  arboc::BSplineBasis basis(json.at("degree").get<int>(), std::move(knots));
+  Eigen::MatrixXd P(static_cast<Eigen::Index>(rows.size()), basis.size());
+  for (std::size_t j = 0; j < rows.size(); ++j) {
+    if (static_cast<int>(rows[j].size()) != basis.size())
+      throw std::invalid_argument("control points do not fit the knots");
+    for (std::size_t i = 0; i < rows[j].size(); ++i)
+      P(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = rows[j][i];
+  }
+  return {std::move(basis), std::move(P)};
+}
+
+}  // namespace
+
+Motion read_motion(const std::string& path, const Model& model, double duration) {
+  std::ifstream in(path);
+  if (!in) throw std::invalid_argument(path + " cannot be read");
+  try {
+    const nlohmann::json json = nlohmann::json::parse(in);
+    if (json.at("coordinates").get<std::vector<std::string>>() != model.robot.coordinates)
+      throw std::invalid_argument("it is of another model");
+    return {curve_of(json.at("curves").at("q"), duration),
+            curve_of(json.at("curves").at("reactions"), duration)};
+  } catch (const std::exception& e) {
+    throw std::invalid_argument(path + " is no result of motion: " + e.what());
+  }
+}
+
+}  // namespace motion
