@@ -1,4 +1,5 @@
-"""MkDocs hook: links from docs/ to files of the repository, which are no pages of the site.
+"""MkDocs hook: pages that the navigation does not name stand at its end, and links from docs/ to files
+of the repository, which are no pages of the site, become paths.
 
 `[text](../models/ur5/ur5.urdf)` becomes the text and the path in the clone; a file that is not there
 is an error, as dead links between pages are.
@@ -11,6 +12,22 @@ from mkdocs.exceptions import PluginError
 
 LINK = re.compile(r"\[([^\]]+)\]\((\.\./[^)#]+)(#[^)]*)?\)")
 FENCE = re.compile(r"^(```.*?^```[ ]*$)", re.MULTILINE | re.DOTALL)
+
+
+def named(entry):
+    """The pages of an entry of the navigation."""
+    if isinstance(entry, str):
+        return [entry]
+    return [page for part in (entry.values() if isinstance(entry, dict) else entry)
+            for page in named(part)]
+
+
+def on_config(config):
+    pages = sorted(name for name in os.listdir(config["docs_dir"]) if name.endswith(".md"))
+    rest = [page for page in pages if page not in named(config["nav"])]
+    if rest:
+        config["nav"].append({"More": rest})
+    return config
 
 
 def on_page_markdown(markdown, page, config, files):

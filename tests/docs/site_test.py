@@ -48,6 +48,14 @@ class Site(unittest.TestCase):
                                 page.read_text())
             self.assertEqual([url for url in loaded if "fonts" in url or ".js" in url], [], page)
 
+    def test_every_page_is_in_the_navigation(self):
+        (self.root / "docs/novel.md").write_text("# Something new\n")
+        built = self.build()
+        self.assertEqual(built.returncode, 0, built.stdout + built.stderr)
+        index = (self.root / "site/index.html").read_text()
+        for page in (self.root / "docs").glob("*.md"):
+            self.assertIn(f'href="{page.stem}.html"', index.replace('href="./"', 'href="index.html"'))
+
     def test_dead_links_are_errors(self):
         for fault, said in (("\n[x](nothing.md)\n", "nothing.md"),
                             ("\n[x](pages.md#nowhere)\n", "#nowhere"),
