@@ -1,41 +1,47 @@
-// compare_motions SIMULATED.csv CAPTURED.csv: root mean square and largest difference of each
-// column.
+// compare_motions PREDICTED MEASURED: how far a motion is from a recorded one, column by column.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 
-#include "compare.h"
 #include "program.h"
+#include "recording.h"
 
+namespace study {
 namespace {
 
 int run(int argc, char** argv) {
-  CLI::App app("compares two motions over time, a computed and a captured one, say");
-  std::string simulated, captured, prefix = "q.";
-  double shift = 0, scale = 1;
-  bool degrees = false;
-  app.add_option("simulated", simulated, "CSV with a column t (s), as studies write it")
+  CLI::App app("compares recordings (.csv, .mot, .sto, .trc) in the columns that both have");
+  std::string predicted, measured, prefix, folder;
+  double shift = 0;
+  app.add_option("predicted", predicted, "what a study wrote: trajectory.csv, motion.mot, ...")
       ->required();
-  app.add_option("captured", captured, "another; columns of the same names are compared")
-      ->required();
-  app.add_option("--prefix", prefix, "of the columns: q. unless given");
-  app.add_option("--shift", shift, "s, added to the times of the second motion");
-  app.add_flag("--degrees", degrees, "the columns are angles in rad: report degrees");
+  app.add_option("measured", measured, "motion capture, force plates, another program")->required();
+  app.add_option("--prefix", prefix, "only columns whose names begin so: q., say");
+  app.add_option("--shift", shift, "s, added to the times of what was measured");
+  app.add_option("-o,--out", folder, "folder for comparison.csv");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 1;
   }
-  if (degrees) scale = 180 / 3.14159265358979323846;
-  fmt::print("column,rmse,largest,time\n");
-  for (const auto& d :
-       study::compare(study::read_csv(simulated), study::read_csv(captured), prefix, shift))
-    fmt::print("{},{:.9g},{:.9g},{:.9g}\n", d.column, scale * d.rmse, scale * d.largest, d.at);
+  const Recording a = read_recording(predicted);
+  Recording b = read_recording(measured);
+  b.times.array() += shift;
+  const std::vector<Difference> all = compare(a, b, prefix);
+  if (a.degrees != b.degrees)
+    fmt::print(stderr, "warning: one says that its angles are in degrees, the other does not\n");
+  fmt::print("{:<24} {:>9} {:>12} {:>12} {:>10} {:>12}\n", "column", "instants", "RMSE", "largest",
+             "at s", "correlation");
+  for (const Difference& d : all)
+    fmt::print("{:<24} {:>9} {:>12.5g} {:>12.5g} {:>10.4g} {:>12.4f}\n", d.column, d.instants,
+               d.rmse, d.largest, d.at, d.correlation);
+  if (!folder.empty()) write_files(folder, {{"comparison.csv", comparison_csv(all)}});
   return 0;
 }
 
 }  // namespace
+}  // namespace study
 
 int main(int argc, char** argv) {
-  return study::exit_status([&] { return run(argc, argv); });
+  return study::exit_status([&] { return study::run(argc, argv); });
 }

@@ -1,9 +1,11 @@
 // Result -> files.
 #pragma once
+#include "common/recording.h"
 #include "predict.h"
-#include "recording.h"
 
 namespace motion {
+
+using study::Recording;
 
 /// result.json: everything but the curves in time; numbers with 17 digits.
 std::string json_text(const Task& task, const Model& model, const Result& result);

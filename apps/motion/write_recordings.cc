@@ -1,6 +1,5 @@
 // Result -> files of other programs: coordinates, torques and reactions for OpenSim, frames as
 // markers.
-#include "recording.h"
 #include "write.h"
 
 namespace motion {

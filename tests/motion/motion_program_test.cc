@@ -60,10 +60,10 @@ TEST(MotionProgram, GoesOnFromAResult) {
   const auto reactions = again({"--reactions-only"});
   EXPECT_EQ(reactions["curves"]["q"]["control_points"], first["curves"]["q"]["control_points"]);
   // Itself against itself.
-  const Outcome same = run_program({MOTION_COMPARE, out + "/motion.mot", out + "/motion.mot"});
+  const Outcome same = run_program({COMPARE_MOTIONS, out + "/motion.mot", out + "/motion.mot"});
   EXPECT_EQ(same.status, 0) << same.err;
   EXPECT_NE(same.out.find("q3"), std::string::npos);
-  EXPECT_EQ(run_program({MOTION_COMPARE, out + "/motion.mot", "nowhere.csv"}).status, 2);
+  EXPECT_EQ(run_program({COMPARE_MOTIONS, out + "/motion.mot", "nowhere.csv"}).status, 2);
 }
 
 TEST(MotionProgram, FailsLoudlyWhereTheAuditFails) {

@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "common/csv.h"
+#include "csv.h"
 
-namespace motion {
+namespace study {
 
 struct Recording {
   std::string name;
   std::vector<std::string> columns;
   Eigen::VectorXd times;  ///< s, rising
-  study::Rows values;     ///< one row an instant
+  Rows values;            ///< one row an instant
   bool degrees = false;   ///< angles are in degrees
 };
 
@@ -29,12 +29,15 @@ std::string trc_text(const Recording& markers);
 struct Difference {
   std::string column;
   int instants = 0;
-  double rmse = 0, largest = 0;
-  double correlation = 0;  ///< of Pearson; 0 where one does not change
+  double rmse = 0, largest = 0;  ///< in the column's unit
+  double at = 0;                 ///< s, of the largest
+  double correlation = 0;        ///< of Pearson; 0 where one does not change
 };
-/// At the instants of `measured` that lie within `predicted`, which is interpolated.  Throws
-/// std::invalid_argument where nothing is common.
-std::vector<Difference> compare(const Recording& predicted, const Recording& measured);
+/// Of the columns whose names begin with `prefix`, at the instants of `measured` that lie within
+/// `predicted`, which is interpolated linearly.  Throws std::invalid_argument where nothing is
+/// common.
+std::vector<Difference> compare(const Recording& predicted, const Recording& measured,
+                                const std::string& prefix = "");
 std::string comparison_csv(const std::vector<Difference>& differences);
 
-}  // namespace motion
+}  // namespace study

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace motion {
+namespace study {
 namespace {
 
 /// Lines of a file, with complaints that say where.
@@ -82,7 +82,7 @@ void read_rows(Lines& lines, std::size_t skip, char separator, Recording& out) {
   }
   const auto rows = static_cast<Eigen::Index>(all.size() / width);
   if (rows == 0) lines.fail("has no numbers");
-  const Eigen::Map<const study::Rows> table(all.data(), rows, static_cast<Eigen::Index>(width));
+  const Eigen::Map<const Rows> table(all.data(), rows, static_cast<Eigen::Index>(width));
   out.times = table.col(0);
   out.values = table.rightCols(static_cast<Eigen::Index>(width) - 1);
 }
@@ -153,7 +153,7 @@ Difference difference(const Recording& predicted, Eigen::Index p, const Recordin
     const double x = interpolated(predicted, p, t);
     ++out.instants;
     out.rmse += (x - y) * (x - y);
-    out.largest = std::max(out.largest, std::fabs(x - y));
+    if (std::fabs(x - y) > out.largest) out.largest = std::fabs(x - y), out.at = t;
     sx += x;
     sy += y;
     sxx += x * x;
@@ -224,12 +224,13 @@ std::string trc_text(const Recording& r) {
   return out;
 }
 
-std::vector<Difference> compare(const Recording& predicted, const Recording& measured) {
+std::vector<Difference> compare(const Recording& predicted, const Recording& measured,
+                                const std::string& prefix) {
   std::vector<Difference> out;
   for (std::size_t m = 0; m < measured.columns.size(); ++m) {
     const auto at =
         std::find(predicted.columns.begin(), predicted.columns.end(), measured.columns[m]);
-    if (at == predicted.columns.end()) continue;
+    if (at == predicted.columns.end() || !at->starts_with(prefix)) continue;
     Difference d = difference(predicted, at - predicted.columns.begin(), measured,
                               static_cast<Eigen::Index>(m));
     d.column = measured.columns[m];
@@ -240,11 +241,11 @@ std::vector<Difference> compare(const Recording& predicted, const Recording& mea
 }
 
 std::string comparison_csv(const std::vector<Difference>& differences) {
-  std::string out = "column,instants,rmse,largest,correlation\n";
+  std::string out = "column,instants,rmse,largest,time,correlation\n";
   for (const Difference& d : differences)
-    out += fmt::format("{},{},{:.17g},{:.17g},{:.17g}\n", d.column, d.instants, d.rmse, d.largest,
-                       d.correlation);
+    out += fmt::format("{},{},{:.17g},{:.17g},{:.17g},{:.17g}\n", d.column, d.instants, d.rmse,
+                       d.largest, d.at, d.correlation);
   return out;
 }
 
-}  // namespace motion
+}  // namespace study
