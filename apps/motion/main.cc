@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <map>
 
 #include "common/gltf.h"
 #include "common/program.h"
@@ -20,9 +21,22 @@ void interrupt(int) {
   std::signal(SIGINT, SIG_DFL);  // the next one ends the program
 }
 
+/// "0.3 (N m), 0.002 (m)": the largest of each unit; nothing where all holds.
+std::string by_unit(const std::vector<arboc::nlp::GroupViolation>& violations) {
+  std::map<std::string, double> largest;
+  for (const auto& v : violations) largest[v.unit] = std::max(largest[v.unit], v.largest);
+  std::string text;
+  for (const auto& [unit, value] : largest)
+    if (value > 0) text += fmt::format("{}{:.1e} ({})", text.empty() ? "" : ", ", value, unit);
+  return text.empty() ? "0" : text;
+}
+
 bool show(const Iteration& i) {
-  fmt::print(stderr, "{:9s} {:4d}  objective {:<13.7g} violation {:.1e}  {:.1f} s\n", i.stage.name,
-             i.progress.iteration, i.progress.objective, i.progress.violation, i.seconds);
+  const arboc::nlp::Progress& p = i.progress;
+  const std::string left =
+      p.seconds_left > 0 ? fmt::format(", perhaps {:.1f} s to go", p.seconds_left) : "";
+  fmt::print(stderr, "{:9s} {:4d}  objective {:<13.7g} violated by {}; {:.1f} s{}\n", i.stage.name,
+             p.iteration, p.objective, by_unit(p.violations), i.seconds, left);
   return !interrupted;
 }
 

@@ -40,7 +40,6 @@ struct Iteration {
   const Stage& stage;
   arboc::nlp::Progress progress;
   double seconds;
-  std::vector<arboc::nlp::GroupViolation> violations{};
 };
 using GoOn = std::function<bool(const Iteration&)>;
 

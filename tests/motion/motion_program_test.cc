@@ -23,7 +23,7 @@ TEST(MotionProgram, WritesWhatItFound) {
   const Outcome run =
       run_program({MOTION_PROGRAM, kTasks + "nine_dof_trial3_obj3.toml", "-o", out});
   ASSERT_EQ(run.status, 0) << run.err;
-  EXPECT_NE(run.err.find("violation"), std::string::npos) << "a line an iteration";
+  EXPECT_NE(run.err.find("violated by"), std::string::npos) << "a line an iteration";
   const std::filesystem::path at(out);
   const auto json = nlohmann::json::parse(content(at / "result.json"));
   EXPECT_EQ(json["status"], "optimal");

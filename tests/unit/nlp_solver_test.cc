@@ -84,6 +84,36 @@ TEST(Solver, StopsWhenToldTo) {
   EXPECT_EQ(s.reason, "the iteration limit was reached");
 }
 
+/// Far from its start Newton's method on Rosenbrock's valley goes up and down: the last is not
+/// best.
+TEST(Solver, StoppedItGivesTheBestPointSoFar) {
+  Problem p;
+  const auto x = p.add_variables("x", "m", std::vector<Interval>(2, {-kInfinity, kInfinity, 1}));
+  const auto q = p.add_variables("q", "m^2", std::vector<Interval>(1));
+  const int g = p.add_group("square", "m^2");
+  p.require(g, square(), {x[0]}, -Affine(q[0]), 0, 0);
+  p.minimise("valley", 100, square(), {x[1] - q[0]});
+  p.minimise("end", 1, square(), {1 - x[0]});
+  Assembly nlp(p);
+  for (const int last : {1, 2}) {
+    SolverOptions options;
+    std::vector<Progress> seen;
+    options.go_on = [&](const Progress& at) {
+      seen.push_back(at);
+      return at.iteration < last;
+    };
+    const Solution s = solve(nlp, {-1.2, 1, 1.44}, options);
+    EXPECT_EQ(s.status, Status::kStopped);
+    ASSERT_EQ(seen.size(), static_cast<std::size_t>(last) + 1);
+    double least = kInfinity;
+    for (const Progress& at : seen) {
+      EXPECT_NEAR(at.violations[0].largest, at.violation, 1e-12) << at.iteration;
+      least = std::min(least, at.violation);
+    }
+    EXPECT_NEAR(s.violation, least, 1e-12);
+  }
+}
+
 /// An arm of two links of length 1 about the origin: (cos a + cos b, sin a + sin b).
 class Arm : public Function {
  public:

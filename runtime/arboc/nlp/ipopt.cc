@@ -115,9 +115,9 @@ class Adapter : public Ipopt::TNLP {
     return true;
   }
 
-  void finalize_solution(Ipopt::SolverReturn, Int n, const Real* x, const Real* zl, const Real* zu,
-                         Int m, const Real*, const Real* lambda, Real, const Ipopt::IpoptData*,
-                         Ipopt::IpoptCalculatedQuantities*) override {
+  void finalize_solution(Ipopt::SolverReturn why, Int n, const Real* x, const Real* zl,
+                         const Real* zu, Int m, const Real*, const Real* lambda, Real,
+                         const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
     const Scales &v = nlp_.variables(), &r = nlp_.rows();
     const double one = options_.objective_scale;
     Multipliers& out = solution_.multipliers;
@@ -130,18 +130,42 @@ class Adapter : public Ipopt::TNLP {
       out.upper[i] = zu[i] * one / v.scale[i];
     }
     for (Int k = 0; k < m; ++k) out.rows[k] = lambda[k] * one / r.scale[k];
+    const bool stopped = why == Ipopt::USER_REQUESTED_STOP || why == Ipopt::MAXITER_EXCEEDED ||
+                         why == Ipopt::CPUTIME_EXCEEDED;
+    if (stopped && !best_.x.empty()) solution_.x = best_.x;
   }
 
-  bool intermediate_callback(Ipopt::AlgorithmMode, Int iteration, Real f, Real violation, Real,
-                             Real, Real, Real, Real, Real, Int, const Ipopt::IpoptData*,
+  bool intermediate_callback(Ipopt::AlgorithmMode mode, Int iteration, Real f, Real violation,
+                             Real slope, Real, Real, Real, Real, Real, Int, const Ipopt::IpoptData*,
                              Ipopt::IpoptCalculatedQuantities*) override {
     solution_.iterations = iteration;
-    const bool late = seconds_since(begin_) > options_.max_seconds;
-    if (late) return false;
-    return !options_.go_on || options_.go_on({iteration, f * options_.objective_scale, violation});
+    const double seconds = seconds_since(begin_);
+    if (mode == Ipopt::RegularMode) remember(f, violation);
+    if (seconds > options_.max_seconds) return false;
+    if (!options_.go_on) return true;
+    const double error = std::max(violation / options_.row_tolerance, slope / options_.tolerance);
+    if (iteration == 0) first_error_ = error;
+    const double factors = std::log(first_error_ / error) / iteration;  // an iteration
+    const double left =
+        factors > 0 && error > 1 ? seconds / iteration * std::log(error) / factors : -1;
+    return options_.go_on(
+        {iteration, f * options_.objective_scale, violation, left, violations(nlp_, x_)});
   }
 
  private:
+  struct Seen {
+    std::vector<double> x;
+    double objective = 0, violation = 0;
+  };
+  /// The last point at which derivatives were asked for is the iterate.  The best one: of those
+  /// that hold all rows the least objective, else the least violation.
+  void remember(double f, double violation) {
+    violation = std::max(violation, options_.row_tolerance);  // good enough
+    const bool better = best_.x.empty() || violation < best_.violation ||
+                        (violation == best_.violation && f < best_.objective);
+    if (better) best_ = {x_, f, violation};
+  }
+
   /// Adds what it sees to the seconds of evaluation.
   class Timer {
    public:
@@ -185,6 +209,8 @@ class Adapter : public Ipopt::TNLP {
   Solution& solution_;
   bool moved_ = false;
   std::vector<double> x_, multipliers_;
+  Seen best_;
+  double first_error_ = 0;
   Clock::time_point begin_ = Clock::now();
 };
 

@@ -26,9 +26,19 @@ struct Multipliers {
   std::vector<double> rows, lower, upper;
 };
 
+/// How far a point is from what its rows or variables demand, a group of one name and unit.
+struct GroupViolation {
+  std::string name, unit;
+  double largest = 0, norm = 0;
+};
+
 struct Progress {
   int iteration;
   double objective, violation;  ///< violation: largest, of rows in units of their scale
+  /// A guess: as if errors went on to shrink by the factor an iteration that they have so far;
+  /// negative where they have not.
+  double seconds_left = -1;
+  std::vector<GroupViolation> violations{};
 };
 
 struct SolverOptions {
@@ -47,8 +57,8 @@ struct SolverOptions {
 };
 
 struct Solution {
-  Status status = Status::kStopped;
-  std::string reason;  ///< in words
+  Status status = Status::kStopped;  ///< if stopped, x is the best point that was seen
+  std::string reason;                ///< in words
   std::vector<double> x;
   Multipliers multipliers;
   double objective = 0;
@@ -69,11 +79,7 @@ Solution solve(Nlp& nlp, std::vector<double> x, const SolverOptions& options = {
 double kkt_error(Nlp& nlp, const std::vector<double>& x, const Multipliers& multipliers,
                  double objective_scale);
 
-/// How far a group's rows are out of bounds, in their unit.
-struct GroupViolation {
-  std::string name, unit;
-  double largest = 0, norm = 0;
-};
+/// Of all groups of rows and of variables, in their order.
 std::vector<GroupViolation> violations(Nlp& nlp, const std::vector<double>& x);
 /// The largest of rows and variables, in units of their scales.
 double largest_violation(Nlp& nlp, const std::vector<double>& x);
