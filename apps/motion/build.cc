@@ -275,114 +275,11 @@ class Builder {
   std::vector<int> driven_;
 };
 
-/// Variables and rows of one name belong together one by one: variable = what the row says.
-void fill_auxiliary(Assembly& nlp, std::vector<double>& x) {
-  std::vector<std::pair<int, int>> pairs;  // variable, row
-  for (const Group& variables : nlp.variable_groups()) {
-    const std::string name = variables.name == "torque limits" ? "torques" : variables.name;
-    for (const Group& rows : nlp.row_groups()) {
-      if (rows.name != name || rows.members.size() != variables.members.size()) continue;
-      for (std::size_t k = 0; k < rows.members.size(); ++k)
-        pairs.emplace_back(variables.members[k], rows.members[k]);
-    }
-  }
-  // Forces in the world's axes, then their moments, then torques.
-  for (int round = 0; round < 3; ++round) {
-    nlp.move_to(x.data());
-    const std::vector<double> c = nlp.constraints();
-    for (const auto& [variable, row] : pairs)
-      x[static_cast<std::size_t>(variable)] += c[static_cast<std::size_t>(row)];
-  }
-}
-
 }  // namespace
-
-namespace {
-
-/// Instants of q's and of reactions' free control points.
-std::vector<Frames::Frame> greville_frames(const Ends& ends, const BSplineBasis& q,
-                                           const BSplineBasis& reactions) {
-  std::vector<Frames::Frame> all;
-  const double near = 1e-9 * (q.end() - q.begin());
-  const VectorXd places = q.greville(), r = reactions.greville();
-  for (Eigen::Index k = 3; k < places.size() - 3; ++k) all.push_back({places[k], true, true, 0});
-  for (Eigen::Index k = 0; k < r.size(); ++k) {
-    const bool first = k == 0, last = k == r.size() - 1;
-    const bool known = (first && ends.at_rest[0]) || (last && ends.at_rest[1]);
-    if (!known && std::none_of(all.begin(), all.end(), [&](const Frames::Frame& f) {
-          return std::fabs(f.t - r[k]) < near;
-        }))
-      all.push_back({r[k], true, false, 0});
-  }
-  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
-  return all;
-}
-
-}  // namespace
-
-Frames frames_of(const Task& task, const Ends& ends, const BSplineBasis& q,
-                 const BSplineBasis& reactions) {
-  Frames frames;
-  std::vector<Frames::Frame> given;
-  if (const int n = task.search.frames; n > 0) {
-    for (int k = 1; k <= n; ++k)
-      given.push_back({q.begin() + (q.end() - q.begin()) * k / (n + 1), true, true, 0});
-    frames.exact = n <= q.size() - 6;
-  } else {
-    given = greville_frames(ends, q, reactions);
-  }
-  for (std::size_t k = 0; k <= given.size(); ++k) {
-    const double from = k == 0 ? q.begin() : given[k - 1].t;
-    const double to = k == given.size() ? q.end() : given[k].t;
-    for (int i = 1; i <= task.search.between; ++i)
-      frames.all.push_back({from + (to - from) * i / (task.search.between + 1), false, false, 0});
-    if (k < given.size()) frames.all.push_back(given[k]);
-  }
-  const std::size_t n = frames.all.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    const double before = k == 0 ? q.begin() : frames.all[k - 1].t;
-    const double after = k + 1 == n ? q.end() : frames.all[k + 1].t;
-    frames.all[k].weight = (after - before) / 2 / (q.end() - q.begin());
-  }
-  return frames;
-}
 
 Built build(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
             Free free) {
   return Builder(task, model, ends, guess, free).run();
-}
-
-std::vector<double> variables_of(Built& built, const Motion& motion) {
-  const Scales& v = built.nlp->variables();
-  std::vector<double> x(v.size(), 0);
-  set_values(built.q, motion.q.points(), x);
-  set_values(built.r, motion.reactions.points(), x);
-  if (built.maximum >= 0) x[static_cast<std::size_t>(built.maximum)] = 1;
-  fill_auxiliary(*built.nlp, x);
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::clamp(x[i], v.lower[i], v.upper[i]);
-  return x;
-}
-
-Motion motion_of(const Built& built, const std::vector<double>& x) {
-  return {arboc::BSpline(built.q_basis, values_of(built.q, x)),
-          arboc::BSpline(built.r_basis, values_of(built.r, x))};
-}
-
-Motion straight(const Ends& ends, const BSplineBasis& q, const BSplineBasis& reactions) {
-  const auto line = [&](const BSplineBasis& basis, const std::array<VectorXd, 2>& end, int fixed) {
-    const int n = basis.size();
-    MatrixXd P(end[0].size(), n);
-    for (int i = 0; i < n; ++i) {
-      const double u = std::clamp((i - fixed + 1.0) / (n - 2 * fixed + 1.0), 0.0, 1.0);
-      P.col(i) = (1 - u) * end[0] + u * end[1];
-    }
-    return P;
-  };
-  MatrixXd P = line(q, ends.q, 3);
-  const VectorXd still = VectorXd::Zero(P.rows());
-  P.leftCols(3) = end_points(q, {ends.q[0], ends.v[0], still}, false);
-  P.rightCols(3) = end_points(q, {ends.q[1], ends.v[1], still}, true);
-  return {arboc::BSpline(q, P), arboc::BSpline(reactions, line(reactions, ends.reactions, 1))};
 }
 
 }  // namespace motion

@@ -46,9 +46,9 @@ struct Built {
   int maximum = -1;  ///< variable of the largest normalised torque
 };
 
-/// `guess` has the bases and says which spheres are close.
 /// What is free: all, or reactions only, of a motion that is given: then the problem is convex.
 enum class Free { kAll, kReactions };
+/// `guess` has the bases and says which spheres are close.
 Built build(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
             Free free = Free::kAll);
 

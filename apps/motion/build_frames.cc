@@ -1,0 +1,61 @@
+// Where equations are asked for.
+#include <algorithm>
+#include <cmath>
+
+#include "build.h"
+
+namespace motion {
+namespace {
+
+using arboc::BSplineBasis;
+using Eigen::VectorXd;
+
+/// Instants of q's and of reactions' free control points.
+std::vector<Frames::Frame> greville_frames(const Ends& ends, const BSplineBasis& q,
+                                           const BSplineBasis& reactions) {
+  std::vector<Frames::Frame> all;
+  const double near = 1e-9 * (q.end() - q.begin());
+  const VectorXd places = q.greville(), r = reactions.greville();
+  for (Eigen::Index k = 3; k < places.size() - 3; ++k) all.push_back({places[k], true, true, 0});
+  for (Eigen::Index k = 0; k < r.size(); ++k) {
+    const bool first = k == 0, last = k == r.size() - 1;
+    const bool known = (first && ends.at_rest[0]) || (last && ends.at_rest[1]);
+    if (!known && std::none_of(all.begin(), all.end(), [&](const Frames::Frame& f) {
+          return std::fabs(f.t - r[k]) < near;
+        }))
+      all.push_back({r[k], true, false, 0});
+  }
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
+  return all;
+}
+
+}  // namespace
+
+Frames frames_of(const Task& task, const Ends& ends, const BSplineBasis& q,
+                 const BSplineBasis& reactions) {
+  Frames frames;
+  std::vector<Frames::Frame> given;
+  if (const int n = task.search.frames; n > 0) {
+    for (int k = 1; k <= n; ++k)
+      given.push_back({q.begin() + (q.end() - q.begin()) * k / (n + 1), true, true, 0});
+    frames.exact = n <= q.size() - 6;
+  } else {
+    given = greville_frames(ends, q, reactions);
+  }
+  for (std::size_t k = 0; k <= given.size(); ++k) {
+    const double from = k == 0 ? q.begin() : given[k - 1].t;
+    const double to = k == given.size() ? q.end() : given[k].t;
+    for (int i = 1; i <= task.search.between; ++i)
+      frames.all.push_back({from + (to - from) * i / (task.search.between + 1), false, false, 0});
+    if (k < given.size()) frames.all.push_back(given[k]);
+  }
+  const std::size_t n = frames.all.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const double before = k == 0 ? q.begin() : frames.all[k - 1].t;
+    const double after = k + 1 == n ? q.end() : frames.all[k + 1].t;
+    frames.all[k].weight = (after - before) / 2 / (q.end() - q.begin());
+  }
+  return frames;
+}
+
+}  // namespace motion

@@ -1,0 +1,69 @@
+// Motions <-> variables of the problem.
+#include <algorithm>
+
+#include "build.h"
+
+namespace motion {
+namespace {
+
+using namespace arboc::nlp;
+using arboc::BSplineBasis;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Variables and rows of one name belong together one by one: variable = what the row says.
+void fill_auxiliary(Assembly& nlp, std::vector<double>& x) {
+  std::vector<std::pair<int, int>> pairs;  // variable, row
+  for (const Group& variables : nlp.variable_groups()) {
+    const std::string name = variables.name == "torque limits" ? "torques" : variables.name;
+    for (const Group& rows : nlp.row_groups()) {
+      if (rows.name != name || rows.members.size() != variables.members.size()) continue;
+      for (std::size_t k = 0; k < rows.members.size(); ++k)
+        pairs.emplace_back(variables.members[k], rows.members[k]);
+    }
+  }
+  // Forces in the world's axes, then their moments, then torques.
+  for (int round = 0; round < 3; ++round) {
+    nlp.move_to(x.data());
+    const std::vector<double> c = nlp.constraints();
+    for (const auto& [variable, row] : pairs)
+      x[static_cast<std::size_t>(variable)] += c[static_cast<std::size_t>(row)];
+  }
+}
+
+}  // namespace
+
+std::vector<double> variables_of(Built& built, const Motion& motion) {
+  const Scales& v = built.nlp->variables();
+  std::vector<double> x(v.size(), 0);
+  set_values(built.q, motion.q.points(), x);
+  set_values(built.r, motion.reactions.points(), x);
+  if (built.maximum >= 0) x[static_cast<std::size_t>(built.maximum)] = 1;
+  fill_auxiliary(*built.nlp, x);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::clamp(x[i], v.lower[i], v.upper[i]);
+  return x;
+}
+
+Motion motion_of(const Built& built, const std::vector<double>& x) {
+  return {arboc::BSpline(built.q_basis, values_of(built.q, x)),
+          arboc::BSpline(built.r_basis, values_of(built.r, x))};
+}
+
+Motion straight(const Ends& ends, const BSplineBasis& q, const BSplineBasis& reactions) {
+  const auto line = [&](const BSplineBasis& basis, const std::array<VectorXd, 2>& end, int fixed) {
+    const int n = basis.size();
+    MatrixXd P(end[0].size(), n);
+    for (int i = 0; i < n; ++i) {
+      const double u = std::clamp((i - fixed + 1.0) / (n - 2 * fixed + 1.0), 0.0, 1.0);
+      P.col(i) = (1 - u) * end[0] + u * end[1];
+    }
+    return P;
+  };
+  MatrixXd P = line(q, ends.q, 3);
+  const VectorXd still = VectorXd::Zero(P.rows());
+  P.leftCols(3) = end_points(q, {ends.q[0], ends.v[0], still}, false);
+  P.rightCols(3) = end_points(q, {ends.q[1], ends.v[1], still}, true);
+  return {arboc::BSpline(q, P), arboc::BSpline(reactions, line(reactions, ends.reactions, 1))};
+}
+
+}  // namespace motion
