@@ -39,4 +39,13 @@ struct Arrays {
   }
 };
 
+/// Of the sines and cosines that come first.
+inline Arrays angle_arrays(const Program& program) {
+  Arrays arrays;
+  arrays.chunk(program.prologue);
+  for (const Operand& angle : program.angles) arrays.read(angle);
+  arrays.work = true;
+  return arrays;
+}
+
 }  // namespace arboc

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "emit/arrays.h"
+#include "emit/chunk_text.h"
 #include "emit/emit.h"
 #include "emit/names.h"
 #include "emit/template.h"
@@ -51,17 +52,13 @@ class CFunction {
   std::string parts() {
     std::string calls;
     if (!program_.angles.empty()) {
-      Arrays arrays;
-      arrays.chunk(program_.prologue);
-      for (const Operand& angle : program_.angles) arrays.read(angle);
-      arrays.work = true;
       int block = -1;
       std::string code = statements(program_.prologue, block);
       for (size_t k = 0; k < program_.angles.size(); ++k)
         code += fmt::format("  arboc_sincos({}, &w[{}], &w[{}]);\n",
                             text(program_, program_.angles[k], kC), k,
                             k + static_cast<size_t>(program_.angle_stride));
-      calls += add_part("angles", arrays, code);
+      calls += add_part("angles", angle_arrays(program_), code);
     }
     int block = -1;
     for (size_t c = 0; c < program_.chunks.size(); ++c) {
@@ -74,21 +71,7 @@ class CFunction {
   }
 
   std::string statements(const Chunk& chunk, int& block) const {
-    std::string out;
-    for (const Statement& s : chunk.statements) {
-      if (s.block != block)
-        out += fmt::format("  // {}\n",
-                           comment_text(program_.blocks[static_cast<size_t>(block = s.block)]));
-      out += fmt::format("  const casadi_real x{} = {};\n", s.local, text(program_, s, kC));
-      if (s.slot >= 0) out += fmt::format("  w[{}] = x{};\n", s.slot, s.local);
-      for (const Store& store : s.stores) out += stored(store);
-    }
-    return out;
-  }
-
-  std::string stored(const Store& store) const {
-    return fmt::format("  {}[{}] = {};\n", program_.outputs[static_cast<size_t>(store.port)].name,
-                       store.index, text(program_, store.value, kC));
+    return chunk_text(program_, chunk, kC, "casadi_real ", block);
   }
 
   std::string add_part(const std::string& name, const Arrays& arrays, const std::string& code) {
@@ -112,7 +95,7 @@ class CFunction {
     std::string stores;
     for (const Store& store : program_.stores) {
       used_.store(store);
-      stores += stored(store);
+      stores += store_line(program_, store, kC);
     }
     int largest = 0, scratch = program_.slots;
     std::string pointers;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "emit/arrays.h"
+#include "emit/chunk_text.h"
 #include "emit/cpp_stores.h"
-#include "emit/names.h"
 #include "program/limb_text.h"
 
 namespace arboc {
@@ -31,19 +31,12 @@ std::string list(const Program& program, const Arrays& arrays, bool types) {
   return out;
 }
 
-/// The comment that a statement of another block begins with.
-std::string block_text(const Program& program, const Statement& s, int& block) {
-  if (s.block == block) return {};
-  block = s.block;
-  return fmt::format("  // {}\n", comment_text(program.blocks[static_cast<size_t>(block)]));
-}
-
 std::string statements(const Program& program, const Chunk& chunk, int& block) {
   std::string out;
   const auto line = [&](const std::string& text) { out += "  " + text + ";\n"; };
   const auto stores = store_lines(program, chunk);
   for (const Statement& s : chunk.statements) {
-    out += block_text(program, s, block);
+    out += block_comment(program, s, block);
     const std::vector<std::string> apart = lanes_apart(program, s);
     for (const std::string& lane : apart) line(lane);
     if (!apart.empty()) continue;
@@ -63,7 +56,7 @@ std::string limb_statements(const Program& program, size_t c, int& block,
   LimbText limb(program, chunk);
   std::string body, out;
   for (const Statement& s : chunk.statements) {
-    body += block_text(program, s, block);
+    body += block_comment(program, s, block);
     body += fmt::format("  const T x{} = {};\n", s.local, limb.value(s));
     for (const std::string& store : limb.stores(s)) body += "  " + store + ";\n";
   }
@@ -90,7 +83,7 @@ class Writer {
   }
 
   ProgramText run() {
-    if (!program_.angles.empty()) add_part({"angles"}, angle_arrays(), angle_body());
+    if (!program_.angles.empty()) add_part({"angles"}, angle_arrays(program_), angle_body());
     int block = -1;
     for (size_t c = 0; c < program_.chunks.size(); ++c) {
       const Chunk& chunk = program_.chunks[c];
@@ -122,14 +115,6 @@ class Writer {
     if (each) calls_ += fmt::format("  for (int limb = 0; limb < {}; ++limb)\n  ", part.limbs);
     calls_ += fmt::format("  {}::{}<T>({}{});\n", space_, part.name, list(program_, arrays, false),
                           each ? ", limb" : "");
-  }
-
-  Arrays angle_arrays() const {
-    Arrays arrays;
-    arrays.chunk(program_.prologue);
-    for (const Operand& angle : program_.angles) arrays.read(angle);
-    arrays.work = true;
-    return arrays;
   }
 
   std::string angle_body() const {

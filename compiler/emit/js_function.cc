@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "emit/arrays.h"
+#include "emit/chunk_text.h"
 #include "emit/emit.h"
 #include "emit/names.h"
 #include "emit/template.h"
@@ -23,7 +24,7 @@ class JsFunction {
     if (program_.ops.special > 0 || !function_.signature.positive.empty())
       throw std::logic_error("no JavaScript for " + function_.signature.name);
     std::string calls = parts(), stores, work;
-    for (const Store& store : program_.stores) stores += stored(store);
+    for (const Store& store : program_.stores) stores += store_line(program_, store, kJs);
     if (program_.slots > 0)
       work = fmt::format("  const w = new Float64Array({});\n", program_.slots);
     return fill("js/NAME_FUNCTION.js", {{"banner", banner(model_)},
@@ -52,17 +53,13 @@ class JsFunction {
     std::string calls;
     int block = -1;
     if (!program_.angles.empty()) {
-      Arrays arrays;
-      arrays.chunk(program_.prologue);
-      for (const Operand& angle : program_.angles) arrays.read(angle);
-      arrays.work = true;
       std::string code = statements(program_.prologue, block);
       for (size_t k = 0; k < program_.angles.size(); ++k) {
         const std::string angle = text(program_, program_.angles[k], kJs);
         code += fmt::format("  w[{}] = Math.sin({});\n  w[{}] = Math.cos({});\n", k, angle,
                             k + static_cast<size_t>(program_.angle_stride), angle);
       }
-      calls += add_part("angles", arrays, code);
+      calls += add_part("angles", angle_arrays(program_), code);
     }
     block = -1;
     for (size_t c = 0; c < program_.chunks.size(); ++c) {
@@ -75,21 +72,7 @@ class JsFunction {
   }
 
   std::string statements(const Chunk& chunk, int& block) const {
-    std::string out;
-    for (const Statement& s : chunk.statements) {
-      if (s.block != block)
-        out += fmt::format("  // {}\n",
-                           comment_text(program_.blocks[static_cast<size_t>(block = s.block)]));
-      out += fmt::format("  const x{} = {};\n", s.local, text(program_, s, kJs));
-      if (s.slot >= 0) out += fmt::format("  w[{}] = x{};\n", s.slot, s.local);
-      for (const Store& store : s.stores) out += stored(store);
-    }
-    return out;
-  }
-
-  std::string stored(const Store& store) const {
-    return fmt::format("  {}[{}] = {};\n", program_.outputs[static_cast<size_t>(store.port)].name,
-                       store.index, text(program_, store.value, kJs));
+    return chunk_text(program_, chunk, kJs, "", block);
   }
 
   std::string add_part(const std::string& name, const Arrays& arrays, const std::string& code) {
