@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <arboc/page/page.hpp>
 #include <cmath>
 #include <iterator>
-
-#include "html.h"
 
 namespace study {
 namespace {
@@ -17,12 +16,12 @@ constexpr const char* kStyle =
     "#ccc;touch-action:none}#player input[type=range]{width:480px;vertical-align:middle}";
 
 std::string table(const PageTable& t) {
-  std::string out = "<table><caption>" + escaped(t.caption) + "</caption>\n<tr>";
-  for (const std::string& cell : t.header) out += "<th>" + escaped(cell) + "</th>";
+  std::string out = "<table><caption>" + arboc::page::html(t.caption) + "</caption>\n<tr>";
+  for (const std::string& cell : t.header) out += "<th>" + arboc::page::html(cell) + "</th>";
   out += "</tr>\n";
   for (const auto& row : t.rows) {
     out += "<tr>";
-    for (const std::string& cell : row) out += "<td>" + escaped(cell) + "</td>";
+    for (const std::string& cell : row) out += "<td>" + arboc::page::html(cell) + "</td>";
     out += "</tr>\n";
   }
   return out + "</table>\n";
@@ -62,8 +61,8 @@ std::string html(const Page& page) {
   std::string out = fmt::format(
       "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"><title>{0}</title><style>{1}</style>"
       "</head><body>\n<h1>{0}</h1>\n",
-      escaped(page.title), kStyle);
-  for (const std::string& text : page.paragraphs) out += "<p>" + escaped(text) + "</p>\n";
+      arboc::page::html(page.title), kStyle);
+  for (const std::string& text : page.paragraphs) out += "<p>" + arboc::page::html(text) + "</p>\n";
   if (page.animation) out += player(*page.animation);
   for (const PageTable& t : page.tables) out += table(t);
   for (const Plot& p : page.plots) out += "<figure>" + svg(p) + "</figure>\n";

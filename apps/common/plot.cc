@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <arboc/page/page.hpp>
 #include <array>
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
-
-#include "html.h"
 
 namespace study {
 namespace {
@@ -56,7 +55,7 @@ class Paper {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
         "{1}\" font-family=\"sans-serif\" font-size=\"11\">\n<text x=\"{2}\" y=\"16\" "
         "font-size=\"13\" font-weight=\"bold\">{3}</text>\n",
-        plot_.width, plot_.height, kLeft, escaped(plot_.title));
+        plot_.width, plot_.height, kLeft, arboc::page::html(plot_.title));
     out += axes();
     for (const double mark : plot_.marks)
       if (mark >= x_.low && mark <= x_.high) out += vertical(mark, "#bbb\" stroke-dasharray=\"3 3");
@@ -108,8 +107,8 @@ class Paper {
                      "text-anchor=\"middle\">{6}</text>\n<text transform=\"translate(14 {7:.2f}) "
                      "rotate(-90)\" text-anchor=\"middle\">{8}</text>\n",
                      kLeft, kTop, right() - kLeft, bottom() - kTop, (kLeft + right()) / 2,
-                     plot_.height - 8, escaped(plot_.x_label), (kTop + bottom()) / 2,
-                     escaped(plot_.y_label));
+                     plot_.height - 8, arboc::page::html(plot_.x_label), (kTop + bottom()) / 2,
+                     arboc::page::html(plot_.y_label));
   }
 
   /// Of each bucket of points the first, the lowest and the highest.
@@ -149,7 +148,7 @@ class Paper {
         "<path class=\"curve\" d=\"{0}\" fill=\"none\" stroke=\"{1}\" stroke-width=\"1.5\"/>\n"
         "<line x1=\"{2:.1f}\" x2=\"{3:.1f}\" y1=\"{4:.1f}\" y2=\"{4:.1f}\" stroke=\"{1}\" "
         "stroke-width=\"3\"/><text x=\"{5:.1f}\" y=\"{6:.1f}\">{7}</text>\n",
-        path, colour, right() + 8, right() + 24, y, right() + 28, y + 4, escaped(l.name));
+        path, colour, right() + 8, right() + 24, y, right() + 28, y + 4, arboc::page::html(l.name));
   }
 
   const Plot& plot_;

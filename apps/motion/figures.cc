@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/html.h"
-
 namespace motion {
 namespace {
 

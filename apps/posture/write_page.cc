@@ -2,15 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <arboc/page/page.hpp>
 #include <cmath>
 
-#include "common/html.h"
 #include "write.h"
 
 namespace posture {
 namespace {
-
-using study::escaped;
 
 constexpr double kWidth = 320, kHeight = 420;  ///< of a drawing, px
 constexpr double kMetrePerNewton = 1e-3;       ///< of arrows
@@ -105,8 +103,9 @@ std::string bars(const Model& model, const Result& result) {
     rows += fmt::format(
         "<text x=\"0\" y=\"{:.0f}\">{}</text><rect class=\"bar\" x=\"{:.1f}\" y=\"{:.0f}\" "
         "width=\"{:.1f}\" height=\"10\"/><text x=\"{:.0f}\" y=\"{:.0f}\">{:.1f} N m</text>\n",
-        y + 10, escaped(model.robot.coordinates[i]), kLabel + kHalf - (part < 0 ? width : 0), y + 1,
-        width, kLabel + 2 * kHalf + 10, y + 10, tau);
+        y + 10, arboc::page::html(model.robot.coordinates[i]),
+        kLabel + kHalf - (part < 0 ? width : 0), y + 1, width, kLabel + 2 * kHalf + 10, y + 10,
+        tau);
   }
   const double height = kRow * n;
   return fmt::format(
@@ -121,14 +120,14 @@ std::string summary(const Task& task, const Result& result) {
   std::string out = fmt::format(
       "<h1>{}</h1>\n<p><b>{}</b>: {}. Objective {:.6g}, largest normalised torque {:.3f}, KKT "
       "error {:.1e}, largest violation {:.1e}; {} iterations, {} starts in {:.3f} s.</p>\n",
-      escaped(task.name), text(result.status), escaped(result.reason), result.objective,
-      result.max_normalised_torque, result.kkt_error, result.max_violation, result.iterations,
-      result.starts.size(), result.seconds);
+      arboc::page::html(task.name), text(result.status), arboc::page::html(result.reason),
+      result.objective, result.max_normalised_torque, result.kkt_error, result.max_violation,
+      result.iterations, result.starts.size(), result.seconds);
   out +=
       "<table><tr><th>contact</th><th>Fx</th><th>Fy</th><th>Fz</th><th>Mx</th><th>My</th>"
       "<th>Mz</th></tr>\n";
   for (std::size_t c = 0; c < result.reactions.size(); ++c) {
-    out += "<tr><td>" + escaped(task.contacts[c].name) + "</td>";
+    out += "<tr><td>" + arboc::page::html(task.contacts[c].name) + "</td>";
     for (const double x : result.reactions[c]) out += fmt::format("<td>{:.1f}</td>", x);
     out += "</tr>\n";
   }
@@ -136,10 +135,10 @@ std::string summary(const Task& task, const Result& result) {
       "</table>\n<h2>Constraints</h2>\n<table><tr><th>group</th><th>largest "
       "violation</th></tr>\n";
   for (const auto& v : result.violations)
-    out += fmt::format("<tr><td>{}</td><td>{:.1e} {}</td></tr>\n", escaped(v.name), v.largest,
-                       escaped(v.unit));
+    out += fmt::format("<tr><td>{}</td><td>{:.1e} {}</td></tr>\n", arboc::page::html(v.name),
+                       v.largest, arboc::page::html(v.unit));
   out += "</table>\n<h2>At their limits</h2>\n<p>";
-  for (const std::string& name : result.active) out += escaped(name) + "<br>";
+  for (const std::string& name : result.active) out += arboc::page::html(name) + "<br>";
   return out + "</p>\n";
 }
 
@@ -150,7 +149,8 @@ std::string page(const Task& task, const Model& model, const Result& result) {
   const int up = model.up, left = up == 1 ? 0 : 1, forward = up == 1 ? 2 : 0;
   const Drawing drawing(task, model, result);
   std::string out =
-      "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"><title>" + escaped(task.name) +
+      "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"><title>" +
+      arboc::page::html(task.name) +
       "</title><style>body{font:14px sans-serif;margin:2em}figure{display:inline-block;margin:0 "
       "1em}"
       "table{border-collapse:collapse}td,th{border:1px solid #ccc;padding:2px 8px;text-align:right}"

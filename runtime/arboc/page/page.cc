@@ -57,21 +57,6 @@ std::string object(const std::map<std::string, std::string>& members) {
 
 }  // namespace
 
-std::string html(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\'': out += "&#39;"; break;
-      default: out += c;
-    }
-  }
-  return out;
-}
-
 std::string write(const Page& page) {
   std::map<std::string, std::string> modules;
   for (const auto& module : {std::pair<const char*, const char*>{"three", "three.module.min.js"},
