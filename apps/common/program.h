@@ -14,11 +14,13 @@ struct WriteError : std::runtime_error {
 
 using Files = std::vector<std::pair<std::string, std::string>>;  ///< name in the folder, content
 
-/// Makes the folder where it is not there.  Throws WriteError.
+/// Makes the folder where it is not there.  All files are written beside their places first and
+/// then renamed, so none is ever half written.  Throws WriteError.
 void write_files(const std::string& folder, const Files& files);
 
 /// Runs a program and turns exceptions into a line on stderr and arboc's statuses: 2 input
-/// (TaskError, std::invalid_argument), 3 output (WriteError), 4 internal.
+/// (TaskError, std::invalid_argument), 3 output (WriteError), 5 there is no such posture or motion
+/// (std::domain_error), 4 all else.
 int exit_status(const std::function<int()>& program);
 
 }  // namespace study

@@ -73,6 +73,8 @@ void read_rows(Lines& lines, std::size_t skip, char separator, Recording& out) {
   while (lines.next()) {
     std::vector<std::string> cells = separator == ' ' ? lines.words() : lines.cells(separator);
     if (cells.empty()) continue;
+    if (separator == '\t' && cells.size() > skip + 1)
+      cells.resize(std::max(cells.size(), skip + width));  // the last markers were not seen
     if (cells.size() < skip + width) lines.fail("fewer numbers than columns");
     for (std::size_t k = 0; k < width; ++k)
       // A marker that was not seen.

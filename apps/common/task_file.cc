@@ -86,10 +86,20 @@ void fail(const toml::source_region& where, const std::string& message) {
 
 void fail(const toml::node& at, const std::string& message) { fail(at.source(), message); }
 
-double number_of(const toml::node& node, const std::string& what) {
+namespace {
+
+double limit_of(const toml::node& node, const std::string& what) {
   const std::optional<double> x = node.value<double>();
   if (!node.is_number() || !x || std::isnan(*x)) fail(node, what + " is not a number");
   return *x;
+}
+
+}  // namespace
+
+double number_of(const toml::node& node, const std::string& what) {
+  const double x = limit_of(node, what);
+  if (std::isinf(x)) fail(node, what + " is not finite");
+  return x;
 }
 
 Eigen::Vector3d vector_of(const toml::node& node, const std::string& what) {
@@ -161,7 +171,7 @@ std::array<std::array<double, 2>, 3> Table::limits(const char* key) {
       continue;
     }
     if (pair->size() != 2) study::fail(entry, what + ": limits are two numbers");
-    for (std::size_t k = 0; k < 2; ++k) out[i][k] = number_of(*pair->get(k), what);
+    for (std::size_t k = 0; k < 2; ++k) out[i][k] = limit_of(*pair->get(k), what);
     if (out[i][0] > out[i][1]) study::fail(entry, what + ": the lower limit is above the upper");
   }
   return out;

@@ -39,13 +39,7 @@ int run(int argc, char** argv) {
     return app.exit(e) == 0 ? 0 : 1;
   }
   const Task task = read_task(path);
-  Result result;
-  try {
-    result = task.both ? both_hands(task) : traverse(task);
-  } catch (const std::domain_error& e) {
-    fmt::print(stderr, "error: {}\n", e.what());
-    return 5;
-  }
+  const Result result = task.both ? both_hands(task) : traverse(task);
   study::write_files(folder, {{"result.json", json_text(task, result)},
                               {"motion.csv", motion_csv(result)},
                               {"peaks.csv", study::peaks_csv(result.peaks)},

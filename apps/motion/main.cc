@@ -90,7 +90,7 @@ int run(int argc, char** argv) {
   const Task task = read_task(path);
   const Model& of = posture::model(task.model);
   std::signal(SIGINT, interrupt);
-  if (!from.empty()) options.from = read_motion(from, of, task.duration);
+  if (!from.empty()) options.from = read_motion(from, of, task);
   options.go_on = [quiet](const Iteration& i) { return quiet ? !interrupted : show(i); };
   const Result result = predict(task, of, options);
   const study::Animation moving = animation(task, of, result);

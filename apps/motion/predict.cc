@@ -98,10 +98,10 @@ Ends predict_ends(const Task& task, const Model& model, posture::Result& start,
                   posture::Result& end) {
   start = posture::predict(task.start.posture, model);
   if (start.status != Status::kOptimal)
-    throw std::runtime_error("no posture at the start: " + start.reason);
+    throw std::domain_error("no posture at the start: " + start.reason);
   end = continued(task.end.posture, model, start);
   if (end.status != Status::kOptimal)
-    throw std::runtime_error("no posture at the end: " + end.reason);
+    throw std::domain_error("no posture at the end: " + end.reason);
   Ends ends;
   ends.q = {vector_of(start.q), vector_of(end.q)};
   ends.v = {velocity_of(model, task.start), velocity_of(model, task.end)};
@@ -121,7 +121,7 @@ Motion first_guess(const Task& task, const Ends& ends) {
 namespace {
 
 Motion solve_problem(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
-                     Free free, Stage& stage, Multipliers* multipliers, const Options& options) {
+                     Free free, Stage& stage, const Options& options) {
   const Clock::time_point begin = Clock::now();
   Built built = build(task, model, ends, guess, free);
   const std::vector<double> x = variables_of(built, guess);
@@ -142,15 +142,11 @@ Motion solve_problem(const Task& task, const Model& model, const Ends& ends, con
   solver.max_iterations = task.search.iterations;
   solver.max_seconds = task.search.seconds;
   solver.blas_threads = options.blas_threads;
-  const bool fits = multipliers && multipliers->rows.size() == stage.rows &&
-                    multipliers->lower.size() == stage.variables;
-  if (fits) solver.warm = multipliers;
   if (options.go_on)
     solver.go_on = [&](const Progress& p) {
       return options.go_on({stage, p, seconds_since(begin)});
     };
   const Solution s = solve(*built.nlp, x, solver);
-  if (multipliers) *multipliers = s.multipliers;
   stage.status = s.status;
   stage.reason = s.reason;
   stage.iterations = s.iterations;
@@ -169,13 +165,13 @@ Motion solve_problem(const Task& task, const Model& model, const Ends& ends, con
 }  // namespace
 
 Motion improve(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
-               Stage& stage, Multipliers* multipliers, const Options& options) {
-  return solve_problem(task, model, ends, guess, Free::kAll, stage, multipliers, options);
+               Stage& stage, const Options& options) {
+  return solve_problem(task, model, ends, guess, Free::kAll, stage, options);
 }
 
 Motion react(const Task& task, const Model& model, const Ends& ends, const Motion& given,
              Stage& stage, const Options& options) {
-  return solve_problem(task, model, ends, given, Free::kReactions, stage, nullptr, options);
+  return solve_problem(task, model, ends, given, Free::kReactions, stage, options);
 }
 
 namespace {
@@ -237,9 +233,8 @@ class Predictor {
     Options options = options_;
     if (options_.go_on)
       options.go_on = [this](const Iteration& i) { return !(stopped_ = !options_.go_on(i)); };
-    Motion motion = options_.reactions_only
-                        ? react(task, model_, ends_, guess, stage, options)
-                        : improve(task, model_, ends_, guess, stage, nullptr, options);
+    Motion motion = options_.reactions_only ? react(task, model_, ends_, guess, stage, options)
+                                            : improve(task, model_, ends_, guess, stage, options);
     result_.samples =
         sample(task, model_, motion, std::max(kLeastInstants, kAuditPerFrame * stage.frames + 1));
     stage.audit = audit(task, model_, result_.samples);

@@ -58,14 +58,15 @@ Ends predict_ends(const Task& task, const Model& model, posture::Result& start,
                   posture::Result& end);
 /// A motion on the bases of the task.
 Motion first_guess(const Task& task, const Ends& ends);
-/// From `guess`, on its bases.  With `multipliers` of a problem of the same size: warm.
+/// From `guess`, on its bases.
 Motion improve(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
-               Stage& stage, arboc::nlp::Multipliers* multipliers, const Options& options);
+               Stage& stage, const Options& options);
 /// The best reactions for a motion that is given, a convex problem; on the bases of `given`.
 Motion react(const Task& task, const Model& model, const Ends& ends, const Motion& given,
              Stage& stage, const Options& options);
 
-/// The curves of a result.json, stretched to a duration.  Throws std::invalid_argument.
-Motion read_motion(const std::string& path, const Model& model, double duration);
+/// The curves of a result.json of the same model and contacts, stretched to the task's duration.
+/// Throws std::invalid_argument.
+Motion read_motion(const std::string& path, const Model& model, const Task& task);
 
 }  // namespace motion

@@ -60,7 +60,7 @@ Objective read_objective(Table table) {
       {"reaction_smoothness", &o.reaction_smoothness}};
   for (const auto& [key, value] : weights) {
     *value = table.number(key, *value);
-    if (!(*value >= 0) || !std::isfinite(*value)) table.fail(std::string(key) + " is not a weight");
+    if (!(*value >= 0)) table.fail(std::string(key) + " is not a weight");
   }
   table.finish();
   return o;

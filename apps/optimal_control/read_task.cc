@@ -57,6 +57,21 @@ const char* text(Method method) {
   return method == Method::kLagrangeNewton ? "lagrange_newton" : "ipopt";
 }
 
+namespace {
+
+/// What a period of the ladder brings with it.
+void read_ends(Table& table, Task& task) {
+  task.model = table.text("model");
+  task.duration = table.number("duration", task.duration);
+  if (!(task.duration > 0)) table.fail("duration is not above 0");
+  task.start = angles(table, "start");
+  task.end = angles(table, "end");
+  if (const auto reach = table.table("reach")) task.reach = read_reach(*reach);
+  task.smooth_ends = table.flag("smooth_ends", task.smooth_ends);
+}
+
+}  // namespace
+
 Task read_task(const std::string& path) {
   const toml::table document = study::read_document(path);
   Table table(document, "task");
@@ -69,14 +84,8 @@ Task read_task(const std::string& path) {
         LadderPeriod{(beside / ladder->text("task")).string(), ladder->whole("period", 0, 0)};
     ladder->finish();
   } else {
-    task.model = table.text("model");
+    read_ends(table, task);
   }
-  task.duration = table.number("duration", task.duration);
-  if (!(task.duration > 0)) table.fail("duration is not above 0");
-  task.start = angles(table, "start");
-  task.end = angles(table, "end");
-  if (const auto reach = table.table("reach")) task.reach = read_reach(*reach);
-  task.smooth_ends = table.flag("smooth_ends", task.smooth_ends);
   task.smoothness = table.number("smoothness", task.smoothness);
   if (!(task.smoothness >= 0)) table.fail("smoothness is below 0");
   task.degree = table.whole("degree", task.degree, 2);

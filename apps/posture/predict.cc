@@ -88,6 +88,8 @@ class Predictor {
       : task_(task), model_(model), all_pairs_(pairs(task)) {}
 
   Result run(const std::optional<Vector3>& move) {
+    if (move && (task_.targets.empty() || task_.targets[0].place.kind != Place::Kind::kPoint))
+      throw std::invalid_argument("only a first target that is a point can be moved");
     const Clock::time_point begin = Clock::now();
     for (int k = 0; k < task_.search.starts; ++k) {
       result_.starts.push_back(search(k));
@@ -239,8 +241,6 @@ class Predictor {
 
   void again(const Vector3& move) {
     Built& full = full_problem(best_pairs_);
-    if (full.targets.empty() || task_.targets[0].place.kind != Place::Kind::kPoint)
-      throw std::invalid_argument("only a first target that is a point can be moved");
     for (int i = 0; i < 3; ++i) {
       const double to = task_.targets[0].place.at[i] + move[i];
       full.nlp->set_row(full.targets[0], i, to, to);

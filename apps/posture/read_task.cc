@@ -141,7 +141,7 @@ Objective read_objective(Table table) {
                                                      {"p", &o.p}};
   for (const auto& [key, value] : weights) {
     *value = table.number(key, *value);
-    if (!(*value >= 0) || !std::isfinite(*value)) table.fail(std::string(key) + " is not a weight");
+    if (!(*value >= 0)) table.fail(std::string(key) + " is not a weight");
   }
   if (o.p < 1) table.fail("p is below 1");
   table.finish();

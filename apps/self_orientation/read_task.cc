@@ -61,7 +61,13 @@ Task read_task(const std::string& path) {
   table.text("base", "");
   task.model = table.text("model");
   if (const auto start = table.table("start")) task.start = angles(*start, "start");
-  for (const Table& entry : table.tables("step")) task.steps.push_back(read_step(entry));
+  for (const Table& entry : table.tables("step")) {
+    Step step = read_step(entry);
+    if (std::any_of(task.steps.begin(), task.steps.end(),
+                    [&](const Step& s) { return s.name == step.name; }))
+      entry.fail("there are two steps of this name");
+    task.steps.push_back(std::move(step));
+  }
   if (task.steps.empty()) table.fail("there are no steps");
   task.cycles = table.whole("cycles", 1, 1);
   task.rate = table.number("rate", task.rate);

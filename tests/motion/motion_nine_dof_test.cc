@@ -9,7 +9,7 @@ std::string name(int trial, int objective) {
 }
 
 TEST(NineDofMotion, AllCasesSolveAndPassTheAudit) {
-  for (int trial = 1; trial <= 6; ++trial) {
+  for (int trial = 1; trial <= 8; ++trial) {
     for (int objective = 1; objective <= 5; ++objective) {
       const motion::Task t = motion_task(name(trial, objective));
       const motion::Result r = solve_motion(t);

@@ -1,9 +1,11 @@
 // The program: files, exit statuses, interruption.
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "support/run_program.h"
 
@@ -64,6 +66,37 @@ TEST(MotionProgram, GoesOnFromAResult) {
   EXPECT_EQ(same.status, 0) << same.err;
   EXPECT_NE(same.out.find("q3"), std::string::npos);
   EXPECT_EQ(run_program({COMPARE_MOTIONS, out + "/motion.mot", "nowhere.csv"}).status, 2);
+}
+
+TEST(MotionProgram, AResultWithOtherContactsIsNoStart) {
+  const TempDir folder;
+  const std::string out = folder.path();
+  ASSERT_EQ(
+      run_program({MOTION_PROGRAM, kTasks + "nine_dof_trial3_obj3.toml", "-o", out, "-q"}).status,
+      0);
+  auto json = nlohmann::json::parse(content(out + "/result.json"));
+  json["curves"]["reactions"]["control_points"].erase(0);
+  std::ofstream(out + "/less.json") << json;
+  json["contacts"] = {"nose"};
+  std::ofstream(out + "/other.json") << json;
+  for (const auto& [file, said] : {std::pair("less.json", "curves"), {"other.json", "contacts"}}) {
+    const Outcome run = run_program({MOTION_PROGRAM, kTasks + "nine_dof_trial3_obj3.toml", "-o",
+                                     out, "-q", "--from", out + "/" + file});
+    EXPECT_EQ(run.status, 2) << file;
+    EXPECT_NE(run.err.find(said), std::string::npos) << run.err;
+  }
+}
+
+TEST(MotionProgram, InterruptedItWritesTheBestSoFar) {
+  const TempDir folder;
+  const std::string out = folder.path();
+  Running run({MOTION_PROGRAM, kTasks + "santos_squat.toml", "-o", out});
+  std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+  run.signal(SIGINT);
+  const Outcome outcome = run.wait();
+  EXPECT_EQ(outcome.status, 5) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(content(out + "/result.json"))["status"], "stopped");
+  EXPECT_GT(content(out + "/trajectory.csv").size(), 1000U);
 }
 
 TEST(MotionProgram, FailsLoudlyWhereTheAuditFails) {

@@ -22,6 +22,13 @@ TEST(Ladder, ForcesOnHandsMoveTheBody) {
     const bool right = r.hand_forces.row(k).head<3>().norm() > 0,
                left = r.hand_forces.row(k).tail<3>().norm() > 0;
     EXPECT_FALSE(right && left) << k;
+    Joints q = r.q.row(k).transpose(), v = r.effort.rates.row(k).transpose(),
+           a = r.effort.accelerations.row(k).transpose();
+    double dh[6];
+    const la::Tree& held = la::tree(right ? la::kRight : la::kLeft);
+    held.momentum_rate(held.own(q), held.own(v), held.own(a), dh);
+    const Eigen::Vector3d force = r.hand_forces.row(k).segment<3>(right ? 0 : 3).transpose();
+    EXPECT_LT((force - Eigen::Vector3d(dh)).norm(), 1e-10) << k;
   }
   const la::Result both = la::both_hands(task("both_hands"));
   for (Eigen::Index k = 10; k + 10 < both.q.rows(); k += 17) {

@@ -53,8 +53,9 @@ TEST(Recordings, ReadsMarkersThatWereNotSeen) {
       folder, "b.trc",
       "PathFileType\t4\t(X/Y/Z)\tb.trc\r\nDataRate\tCameraRate\tNumFrames\tNumMarkers\tUnits\r\n"
       "100\t100\t2\t1\tmm\r\nFrame#\tTime\tTOE\t\t\r\n\t\tX1\tY1\tZ1\r\n\r\n"
-      "1\t0.00\t\t\t5\r\n2\t0.01\t1000\t2\t3\r\n"));
-  ASSERT_EQ(r.values.rows(), 2);
+      "1\t0.00\t\t\t5\r\n2\t0.01\t1000\t2\t3\r\n3\t0.02\t\t\t\r\n"));
+  ASSERT_EQ(r.values.rows(), 3);
+  EXPECT_TRUE(std::isnan(r.values(2, 0)) && std::isnan(r.values(2, 2)));
   EXPECT_TRUE(std::isnan(r.values(0, 0)));
   EXPECT_DOUBLE_EQ(r.values(1, 0), 1);
 }

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "common/task_file.h"
 #include "frontend/read_model.h"
 #include "reference/reference.h"
 #include "self_orientation/aim.h"
@@ -216,6 +217,25 @@ TEST(SelfOrientation, LimitsAndNames) {
   EXPECT_THROW(run(t), std::invalid_argument);
   t.steps[0].q = {{"knee", 0}};
   EXPECT_THROW(run(t), std::invalid_argument);
+}
+
+std::string complaint_of(const std::string& path) {
+  try {
+    so::read_task(path);
+  } catch (const study::TaskError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(SelfOrientation, StepsOfOneNameAndTimesWithoutEndAreRefused) {
+  const TempDir folder;
+  const std::string path = std::string(folder.path()) + "/task.toml";
+  write_text(path, "base = \"" + kTasks + "turn.toml\"\nrate = inf\n");
+  EXPECT_NE(complaint_of(path).find(":2:8: error: task: rate is not finite"), std::string::npos);
+  const std::string step = "[[step]]\nname = \"x\"\nhome = true\n";
+  write_text(path, "model = \"astronaut_turn\"\n" + step + step);
+  EXPECT_NE(complaint_of(path).find("there are two steps of this name"), std::string::npos);
 }
 
 std::string content(const std::filesystem::path& path) {

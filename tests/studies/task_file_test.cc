@@ -5,7 +5,7 @@
 
 #include "common/program.h"
 #include "common/task_file.h"
-#include "support/temp_dir.h"
+#include "support/run_program.h"
 
 namespace arboc::test {
 namespace {
@@ -54,6 +54,7 @@ TEST(Program, StatusesAndFiles) {
   EXPECT_EQ(study::exit_status([]() -> int { throw study::TaskError("t"); }), 2);
   EXPECT_EQ(study::exit_status([]() -> int { throw std::invalid_argument("i"); }), 2);
   EXPECT_EQ(study::exit_status([]() -> int { throw study::WriteError("w"); }), 3);
+  EXPECT_EQ(study::exit_status([]() -> int { throw std::domain_error("d"); }), 5);
   EXPECT_EQ(study::exit_status([]() -> int { throw std::logic_error("l"); }), 4);
   const TempDir folder;
   study::write_files(std::string(folder.path()) + "/a/b", {{"x.txt", "hello"}});
@@ -61,6 +62,11 @@ TEST(Program, StatusesAndFiles) {
   std::string text;
   in >> text;
   EXPECT_EQ(text, "hello");
+  // Where one cannot be written the others stay as they are.
+  const std::string b = std::string(folder.path()) + "/a/b";
+  EXPECT_THROW(study::write_files(b, {{"x.txt", "new"}, {"no/y.txt", ""}}), study::WriteError);
+  EXPECT_EQ(read_text(b + "/x.txt"), "hello");
+  EXPECT_FALSE(std::filesystem::exists(b + "/x.txt.part"));
   EXPECT_THROW(study::write_files("/proc/none", {{"x", ""}}), study::WriteError);
 }
 
