@@ -8,7 +8,8 @@ set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # the tests are not installed
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/arboc)
 install(TARGETS arboc arboc_page arboc_runtime EXPORT arbocTargets)
 install(EXPORT arbocTargets NAMESPACE arboc:: DESTINATION ${package})
-install(DIRECTORY runtime/arboc DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY runtime/arboc DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN nlp EXCLUDE)
 install(DIRECTORY python/arboc DESTINATION lib/python3/dist-packages
         FILES_MATCHING PATTERN "*.py" PATTERN "*.hpp")
 install(FILES README.md NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})

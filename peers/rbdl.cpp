@@ -69,7 +69,7 @@ class Rbdl : public Peer {
   /// Its quaternions' real parts stand at the end of q; only the first joint can float.
   State converted(const State& x) const override {
     State y = x;
-    if (joints()[0].kind != Kind::kFloating) return y;
+    if (joints().empty() || joints()[0].kind != Kind::kFloating) return y;
     for (int i = 6; i + 1 < x.q.size(); ++i) y.q[i] = x.q[i + 1];
     y.q[x.q.size() - 1] = x.q[6];
     return y;
@@ -86,7 +86,7 @@ class Rbdl : public Peer {
   MatrixXd M_;
 };
 
-/// What moves needs a mass, and is no planar joint; only the root floats.
+/// No joint is planar, and only the root floats.
 bool supported(const Body& body) {
   return std::none_of(body.joint, body.joint + body.joints, [&](const Joint& joint) {
     return joint.kind == Kind::kPlanar || (joint.kind == Kind::kFloating && &joint != body.joint);

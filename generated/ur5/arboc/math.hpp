@@ -27,7 +27,6 @@ inline float cos(float x) { return __builtin_cosf(x); }
 inline float acos(float x) { return __builtin_acosf(x); }
 inline float sqrt(float x) { return __builtin_sqrtf(x); }
 inline float fabs(float x) { return __builtin_fabsf(x); }
-inline float fma(float x, float y, float z) { return __builtin_fmaf(x, y, z); }
 
 inline long double sin(long double x) { return __builtin_sinl(x); }
 inline long double cos(long double x) { return __builtin_cosl(x); }

@@ -51,14 +51,6 @@ class Generated : public Function {
   const Pattern& jacobian_pattern() const override { return jacobian_; }
   const Pattern& hessian_pattern() const override { return hessian_; }
 
-  /// Of an input that is no variable: `lengths`, `masses`, ...
-  void set_parameter(const std::string& name, const std::vector<double>& value) {
-    std::vector<double>& parameter = parameters_.at(name);
-    if (value.size() != parameter.size())
-      throw std::invalid_argument("parameter '" + name + "' has another size");
-    parameter = value;
-  }
-
   void values(int n, const double* x, double* y) override {
     share_out(n, [&](int s, int member) {
       std::array<double*, Value::outputs> out;

@@ -130,9 +130,9 @@ class Adapter : public Ipopt::TNLP {
       out.upper[i] = zu[i] * one / v.scale[i];
     }
     for (Int k = 0; k < m; ++k) out.rows[k] = lambda[k] * one / r.scale[k];
-    const bool stopped = why == Ipopt::USER_REQUESTED_STOP || why == Ipopt::MAXITER_EXCEEDED ||
-                         why == Ipopt::CPUTIME_EXCEEDED;
-    if (stopped && !best_.x.empty()) solution_.x = best_.x;
+    const bool ended = why == Ipopt::SUCCESS || why == Ipopt::STOP_AT_ACCEPTABLE_POINT ||
+                       why == Ipopt::STOP_AT_TINY_STEP || why == Ipopt::LOCAL_INFEASIBILITY;
+    if (!ended && !best_.x.empty()) solution_.x = best_.x;
   }
 
   bool intermediate_callback(Ipopt::AlgorithmMode mode, Int iteration, Real f, Real violation,

@@ -6,7 +6,7 @@
 //   const int wall = p.add_group("wall", "m");
 //   p.require(wall, y[0] - 2 * x[1], 0, 0);                     // an equality
 //   p.minimise("height", 1, square(), {y[1]});
-// assembly.hpp makes an Nlp of it, ipopt.hpp solves that.
+// assembly.hpp makes an Nlp of it, solver.hpp solves that.
 #ifndef ARBOC_NLP_PROBLEM_HPP
 #define ARBOC_NLP_PROBLEM_HPP
 

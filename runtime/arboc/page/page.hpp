@@ -23,7 +23,7 @@ struct Page {
   /// ES modules beside those at hand: name -> text.
   std::map<std::string, std::string> modules;
   std::string main;  ///< name of the module that runs
-  /// JSON by name: what `page.data` holds in scripts.
+  /// JSON by name: what `window.arboc.data` holds in scripts.
   std::map<std::string, std::string> data;
 };
 
