@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/number.h"
 #include "functions/lane_trace.h"
 #include "passes/passes.h"
 

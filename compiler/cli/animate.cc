@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <arboc/page/page.hpp>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "cli/common.h"
 #include "cli/output.h"
+#include "frontend/input_file.h"
+#include "model/findings.h"
 
 namespace arboc::cli {
 namespace {
@@ -21,10 +21,11 @@ std::string text(const nlohmann::ordered_json& object, const char* member) {
 }  // namespace
 
 int run_animate(const std::string& motion, const std::string& out) {
-  std::ifstream file(motion, std::ios::binary);
-  if (!file) throw InputError(fmt::format("{}: error: cannot be opened", printable(motion)));
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  const auto json = nlohmann::ordered_json::parse(bytes, nullptr, false);
+  Diagnostics diagnostics;
+  Findings findings(shown_path(motion));
+  const auto bytes = read_input(motion, findings);
+  findings.deliver(diagnostics);
+  const auto json = nlohmann::ordered_json::parse(bytes.value(), nullptr, false);
   if (json.is_discarded()) throw InputError(printable(motion) + ": error: not JSON");
   if (text(json, "format") != "arboc-motion/1")
     throw InputError(

@@ -32,6 +32,8 @@ TEST(CliPages, WhatIsNoMotionExitsWith2) {
     EXPECT_FALSE(std::filesystem::exists(folder / "page"));
   }
   EXPECT_EQ(run_arboc({"animate", folder / "nothing", "-o", folder / "page"}).status, 2);
+  EXPECT_EQ(run_arboc({"animate", folder.path(), "-o", folder / "page"}).status, 2);
+  EXPECT_EQ(run_arboc({"animate", "/dev/zero", "-o", folder / "page"}).status, 2);
   EXPECT_EQ(run_arboc({"animate", folder / "motion.json"}).status, 1);
 }
 
