@@ -280,7 +280,7 @@ class Pages(unittest.TestCase):
             total = sum(int(x or 0) for x in totals[function])
             self.assertEqual(total, sum(n[k] for k in ("mul", "add", "fma", "div", "sqrt")))
         self.assertIn("forearm", [row[0] for row in rows])
-        # M by central differences of momentum is dense here; where the page is blank, M is zero.
+        # Where a picture is blank, the matrix of the reference engine is zero.
         report = self.browser.run("return window.arboc.data.report.matrices")
         squares = self.browser.run("""
             return [...document.querySelectorAll('#matrices svg')].map(

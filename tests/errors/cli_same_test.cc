@@ -41,9 +41,15 @@ TEST(SameBytes, InEveryLocaleTimeZoneFolderAndNumberOfProcessors) {
   const auto expected = product({}, kQuadruped);
   const TempDir folder;
   fs::copy_file(kQuadruped, folder / "quadruped.urdf");
+  for (const char* locale : {"de_DE", "tr_TR"})  // decimal commas; i without a dot
+    ASSERT_EQ(run_program({"localedef", "-i", locale, "-f", "UTF-8",
+                           folder / (std::string(locale) + ".UTF-8")})
+                  .status,
+              0);
   for (const char* locale : {"C", "de_DE.UTF-8", "tr_TR.UTF-8", "C.UTF-8", "nonsense"}) {
     RunOptions options;
-    options.environment = {{"LC_ALL", locale}, {"LANG", locale}, {"TZ", "Pacific/Apia"}};
+    options.environment = {
+        {"LC_ALL", locale}, {"LANG", locale}, {"LOCPATH", folder.path()}, {"TZ", "Pacific/Apia"}};
     EXPECT_TRUE(product(options, kQuadruped) == expected) << locale;
   }
   RunOptions there;
@@ -60,7 +66,7 @@ std::string without_hashes(const std::string& text) {
 }
 
 TEST(SameBytes, WhateverWhiteSpaceCommentsAndOrderOfAttributes) {
-  int different = 0;
+  int different = 0, accepted = 0;
   for (const std::uint64_t seed : seeds(20)) {
     std::string bytes;
     Random random(seed);
@@ -83,8 +89,10 @@ TEST(SameBytes, WhateverWhiteSpaceCommentsAndOrderOfAttributes) {
       for (auto& [path, text] : files[k]) text = without_hashes(text);
     }
     EXPECT_TRUE(files[0] == files[1]) << texts[0] << "\n" << texts[1];
+    accepted += !files[0].empty();
   }
   EXPECT_GT(different, 0);
+  EXPECT_GT(accepted, 10);
 }
 
 }  // namespace

@@ -43,6 +43,12 @@ std::string random_bytes(std::uint64_t seed, size_t most) {
 }
 
 TEST(FuzzReplay, FindsStayMended) {
+  for (const auto& entry : fs::directory_iterator(ARBOC_SOURCE_DIR "/tests/fuzz/finds")) {
+    const std::string name = entry.path().filename().string();
+    const std::string target = name.substr(0, name.find('-'));
+    EXPECT_TRUE(name == "README" || target == "read" || target == "compile" || target == "graph")
+        << name << " is replayed by no target";
+  }
   replay("read", fuzz::read);
   replay("compile", fuzz::compile);
   replay("graph", fuzz::graph);
