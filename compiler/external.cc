@@ -5,6 +5,7 @@
 
 #include "derive/jacobian.h"
 #include "functions/catalogue.h"
+#include "graph/remake.h"
 #include "passes/passes.h"
 
 namespace arboc {
@@ -59,9 +60,12 @@ class Replay {
     std::vector<Ref> entries;
     for (const auto& input : inputs) entries.insert(entries.end(), input.begin(), input.end());
     std::uint16_t block = 0;
-    for (const Node& node : region.nodes) {
+    for (std::uint32_t n = 0; n < region.nodes.size(); ++n) {
+      const Node& node = region.nodes[n];
       if (node.block != block) builder.begin_block(region.blocks[block = node.block]);
-      made_.push_back(make(region, node, entries, builder));
+      made_.push_back(node.op == Op::kInput
+                          ? entries[node.index]
+                          : remake(builder, region, n, [&](Ref r) { return (*this)[r]; }));
     }
   }
   Ref operator[](Ref ref) const { return ref.negative() ? -made_[ref.node()] : made_[ref.node()]; }
@@ -69,26 +73,6 @@ class Replay {
   std::vector<std::vector<Ref>> inputs;
 
  private:
-  Ref make(const Region& region, const Node& node, const std::vector<Ref>& entries,
-           Builder& builder) const {
-    const auto a = [&] { return (*this)[node.a]; };
-    const auto b = [&] { return (*this)[node.b]; };
-    switch (node.op) {
-      case Op::kConstant: return builder.constant(region.constants[node.index]);
-      case Op::kInput: return entries[node.index];
-      case Op::kAdd: return builder.add(a(), b());
-      case Op::kMul: return builder.mul(a(), b());
-      case Op::kDiv: return builder.div(a(), b());
-      case Op::kSqrt: return builder.sqrt(a());
-      case Op::kSin: return builder.sin(a());
-      case Op::kCos: return builder.cos(a());
-      case Op::kStumpff: return builder.stumpff(static_cast<int>(node.index), a());
-      case Op::kQuaternionLog: return builder.quaternion_log(a());
-      case Op::kLogCurvature: return builder.log_curvature(a());
-      default: throw std::logic_error("a graph that has been through the passes");
-    }
-  }
-
   std::vector<Ref> made_;
 };
 

@@ -5,7 +5,6 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <sstream>
 #include <system_error>
 
 #include "base/diagnostic.h"
@@ -35,8 +34,7 @@ struct Arguments {
 
 Targets parse_targets(const std::string& list) {
   Targets targets{false, false};
-  std::istringstream words(list);
-  for (std::string word; std::getline(words, word, ',');) {
+  for (const std::string& word : split(list)) {
     if (word != "cpp" && word != "c")
       throw UsageError(unknown("--target", "there is no language", word, {"cpp", "c"}));
     (word == "c" ? targets.c : targets.cpp) = true;

@@ -61,11 +61,8 @@ void add_changed(const FunctionOptions& options, std::vector<std::string>& chang
     changed.push_back("--friction-velocity " + shortest(velocity));
   add("parameters", options.parameters);
   std::vector<std::string> without;
-  if (!options.simplify.frames) without.emplace_back("frames");
-  if (!options.simplify.regroup) without.emplace_back("regroup");
-  if (!options.simplify.fuse) without.emplace_back("fuse");
-  if (!options.simplify.dead) without.emplace_back("dead");
-  if (!options.simplify.limbs) without.emplace_back("limbs");
+  for (const auto& [name, member] : kSimplifications)
+    if (!(options.simplify.*member)) without.emplace_back(name);
   add("without", without);
   if (options.max_function_size != FunctionOptions().max_function_size)
     changed.push_back(fmt::format("--max-function-size {}", options.max_function_size));

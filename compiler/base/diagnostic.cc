@@ -5,7 +5,6 @@
 #include <utility>
 
 namespace arboc {
-namespace {
 
 const char* name(Severity severity) {
   switch (severity) {
@@ -15,6 +14,8 @@ const char* name(Severity severity) {
   }
   return "error";
 }
+
+namespace {
 
 /// Length of the valid UTF-8 sequence at the start of `text`, 0 if there is none.
 size_t utf8_length(std::string_view text) {

@@ -20,6 +20,7 @@ struct Location {
 };
 
 enum class Severity { kNote, kWarning, kError };
+const char* name(Severity severity);  ///< "note", ...
 
 struct Diagnostic {
   Severity severity = Severity::kError;

@@ -1,10 +1,13 @@
-// What a misspelt word was probably meant to be.
+// Words of lists, and what a misspelt one was probably meant to be.
 #pragma once
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace arboc {
+
+/// "a,b" -> a, b; nothing behind a comma at the end.
+std::vector<std::string> split(const std::string& list);
 
 /// The word among `known` that `word` most likely means: it differs in the case of letters only,
 /// or by so few letters typed wrong, left out, added or swapped that a typo is likely.

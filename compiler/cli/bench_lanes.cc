@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "base/words.h"
 #include "cli/bench.h"
 #include "cli/build.h"
 #include "emit/emit.h"
@@ -14,8 +14,7 @@ namespace {
 
 std::vector<Lanes> parse_lanes(const std::string& list) {
   std::vector<Lanes> lanes;
-  std::istringstream in(list);
-  for (std::string word; std::getline(in, word, ',');) {
+  for (const std::string& word : split(list)) {
     Lanes next;
     next.single = !word.empty() && word.back() == 'f';
     const std::string count = word.substr(0, word.size() - next.single);

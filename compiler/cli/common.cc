@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "frontend/read_model.h"
+#include "report/report_tables.h"
 
 namespace arboc::cli {
 namespace {
@@ -37,16 +38,6 @@ CleanUp::~CleanUp() { to_clean_up = to_clean_up - 1; }
 
 void check_interrupt() {
   if (interrupted) throw Interrupted();
-}
-
-nlohmann::ordered_json to_json(const Diagnostic& d) {
-  const char* severity = d.severity == Severity::kError     ? "error"
-                         : d.severity == Severity::kWarning ? "warning"
-                                                            : "note";
-  return {{"severity", severity},    {"file", d.file},
-          {"line", d.location.line}, {"column", d.location.column},
-          {"element", d.element},    {"message", d.message},
-          {"hint", d.hint}};
 }
 
 std::string dump(const nlohmann::ordered_json& json, int indent) {

@@ -90,9 +90,6 @@ void print_diagnostics(const Diagnostics& diagnostics, const Common& common, boo
 /// What ends the program, in the same manner.
 void print_failure(const std::string& message, const Common& common);
 
-/// {"severity", "file", "line", "column", "element", "message", "hint"}; 0 and "" where there is
-/// none.
-nlohmann::ordered_json to_json(const Diagnostic& diagnostic);
 /// JSON in ASCII, on one line or, with `indent`, on several; bytes that are not UTF-8 as U+FFFD.
 std::string dump(const nlohmann::ordered_json& json, int indent = -1);
 

@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <sstream>
 
+#include "base/words.h"
 #include "cli/common.h"
 #include "cli/output.h"
 #include "emit/emit.h"
@@ -51,8 +51,7 @@ void add_scalar_option(CLI::App& app, Common& common) {
          "--scalars",
          [&common](const std::string& list) {
            std::vector<Scalar> scalars{Scalar{}};
-           std::istringstream in(list);
-           for (std::string word; std::getline(in, word, ',');)
+           for (const std::string& word : split(list))
              if (word != "double") scalars.push_back(parse_scalar(word));
            common.compile.scalars = scalars;
          },

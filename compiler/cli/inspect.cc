@@ -8,6 +8,7 @@
 #include "cli/common.h"
 #include "cli/output.h"
 #include "report/report.h"
+#include "report/report_tables.h"
 #include "tree/numbering.h"
 
 namespace arboc::cli {

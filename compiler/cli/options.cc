@@ -8,7 +8,6 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <sstream>
 
 #include "base/number.h"
 #include "base/words.h"
@@ -17,13 +16,6 @@
 
 namespace arboc::cli {
 namespace {
-
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> words;
-  std::istringstream list(text);
-  for (std::string word; std::getline(list, word, ',');) words.push_back(word);
-  return words;
-}
 
 /// "elbow=0.5" or "base=0,0,1,0,0,0,1"; names may contain '='.
 Lock parse_lock(const std::string& text) {

@@ -145,8 +145,7 @@ std::vector<PeerKind> peer_kinds(const PeerOptions& options) {
   for (const PeerKind& kind : kinds()) names.push_back(lower(kind.name));
   const std::vector<std::string_view> known(names.begin(), names.end());
   std::vector<PeerKind> list;
-  std::istringstream in(options.list);
-  for (std::string word; std::getline(in, word, ',');) {
+  for (const std::string& word : split(options.list)) {
     const auto at = std::find(known.begin(), known.end(), lower(word));
     if (at == known.end()) throw UsageError(unknown("--peers", "there is no peer", word, known));
     list.push_back(kinds()[static_cast<size_t>(at - known.begin())]);

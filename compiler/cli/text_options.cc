@@ -1,6 +1,8 @@
 // Options of how functions are simplified and written.
+#include <fmt/ranges.h>
+
 #include <algorithm>
-#include <sstream>
+#include <string_view>
 
 #include "base/words.h"
 #include "cli/common.h"
@@ -9,21 +11,20 @@
 namespace arboc::cli {
 namespace {
 
+std::vector<std::string_view> simplifications() {
+  std::vector<std::string_view> names;
+  for (const auto& [name, member] : kSimplifications) names.emplace_back(name);
+  return names;
+}
+
 Simplifications parse_without(const std::string& list) {
   Simplifications simplify;
-  const std::pair<const char*, bool*> known[] = {{"frames", &simplify.frames},
-                                                 {"regroup", &simplify.regroup},
-                                                 {"fuse", &simplify.fuse},
-                                                 {"dead", &simplify.dead},
-                                                 {"limbs", &simplify.limbs}};
-  std::istringstream words(list);
-  for (std::string word; std::getline(words, word, ',');) {
-    const auto* const found = std::find_if(std::begin(known), std::end(known),
-                                           [&](const auto& k) { return word == k.first; });
-    if (found == std::end(known))
-      throw UsageError(unknown("--without", "there is no simplification", word,
-                               {"frames", "regroup", "fuse", "dead", "limbs"}));
-    *found->second = false;
+  for (const std::string& word : split(list)) {
+    const auto* const found = std::find_if(std::begin(kSimplifications), std::end(kSimplifications),
+                                           [&](const auto& known) { return word == known.first; });
+    if (found == std::end(kSimplifications))
+      throw UsageError(unknown("--without", "there is no simplification", word, simplifications()));
+    simplify.*found->second = false;
   }
   return simplify;
 }
@@ -33,8 +34,8 @@ Simplifications parse_without(const std::string& list) {
 void add_text_options(CLI::App& app, FunctionOptions& f) {
   app.add_option_function<std::string>(
          "--without", [&f](const std::string& given) { f.simplify = parse_without(given); },
-         "simplifications to leave out, to see what they are worth: frames, regroup, fuse, dead, "
-         "limbs")
+         fmt::format("simplifications to leave out, to see what they are worth: {}",
+                     fmt::join(simplifications(), ", ")))
       ->type_name("LIST")
       ->group("Functions");
   app.add_option("--optimise", f.optimise,

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <sstream>
-
 #include "base/diagnostic.h"
+#include "base/words.h"
 
 namespace arboc {
 namespace {
@@ -44,8 +43,7 @@ Request parse_request(const std::string& option, Derivative derivative, const st
     throw UsageError(fmt::format("{}: '{}': a sum of squares has a --gradient and a --hessian",
                                  option, printable(text)));
   if (colon == std::string::npos) return request;
-  std::istringstream list(text.substr(colon + 1));
-  for (std::string item; std::getline(list, item, ',');) {
+  for (const std::string& item : split(text.substr(colon + 1))) {
     if (item.empty()) throw wrong();
     request.with.push_back(item);
   }

@@ -2,6 +2,7 @@
 // resolved.
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "functions/parameters.h"
@@ -17,6 +18,12 @@ struct Simplifications {
   bool fuse = true;     ///< sums of products become chains of fused multiply-adds
   bool limbs = true;    ///< isomorphic limbs go in the lanes of vectors where that pays
   bool dead = true;     ///< what no output needs is removed
+};
+/// Their names, for users.
+inline constexpr std::pair<const char*, bool Simplifications::*> kSimplifications[] = {
+    {"frames", &Simplifications::frames}, {"regroup", &Simplifications::regroup},
+    {"fuse", &Simplifications::fuse},     {"dead", &Simplifications::dead},
+    {"limbs", &Simplifications::limbs},
 };
 
 /// What the text is made for.

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "graph/remake.h"
+
 namespace arboc {
 namespace {
 
@@ -182,31 +184,9 @@ class Rebuilder {
   void rebuild(std::uint32_t n) {
     const Node& node = in_.nodes[n];
     builder_.begin_block(in_.blocks[node.block]);
-    const Ref a = operand_count(node.op) > 0 ? renamed(node.a) : Ref();
-    const Ref b = operand_count(node.op) > 1 ? renamed(node.b) : Ref();
     done_[n] = 1;
-    switch (node.op) {
-      case Op::kAdd: out_[n] = builder_.add(a, b); break;
-      case Op::kMul: out_[n] = builder_.mul(a, b); break;
-      case Op::kDiv: out_[n] = builder_.div(a, b); break;
-      case Op::kSqrt: out_[n] = builder_.sqrt(a); break;
-      case Op::kSin: out_[n] = builder_.sin(a); break;
-      case Op::kCos: out_[n] = builder_.cos(a); break;
-      case Op::kStumpff: out_[n] = builder_.stumpff(static_cast<int>(node.index), a); break;
-      case Op::kQuaternionLog: out_[n] = builder_.quaternion_log(a); break;
-      case Op::kLogCurvature: out_[n] = builder_.log_curvature(a); break;
-      case Op::kPack: {
-        std::vector<Ref> scalars;
-        for_each_operand(in_, node, [&](Ref r) { scalars.push_back(renamed(r)); });
-        out_[n] = builder_.pack(scalars);
-        break;
-      }
-      case Op::kLane: out_[n] = builder_.lane(a, static_cast<int>(node.index)); break;
-      case Op::kHsum: out_[n] = builder_.hsum(a, static_cast<int>(node.index)); break;
-      case Op::kConstant:
-      case Op::kInput: break;
-      case Op::kSum: throw std::logic_error("canonicalise: n-ary sums");
-    }
+    if (node.op != Op::kConstant && node.op != Op::kInput)
+      out_[n] = remake(builder_, in_, n, [&](Ref r) { return renamed(r); });
   }
 
   const Builder& old_;

@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "graph/builder.h"
+#include "graph/remake.h"
 #include "passes/rewrite.h"
 
 namespace arboc {
@@ -106,36 +107,11 @@ class Fuser {
     builder_.begin_block(in_.blocks[node.block]);
     for_each_operand(in_, node,
                      [&](Ref r) { depth_[n] = std::max(depth_[n], depth_[r.node()] + 1); });
-    switch (node.op) {
-      case Op::kConstant:
-        out_[n] = builder_.constant(in_.lanes(Ref(static_cast<std::uint32_t>(n))));
-        break;
-      case Op::kAdd: out_[n] = rebuild_sum(n); break;
-      case Op::kMul:
-        if (!is_term(n)) out_[n] = builder_.mul(renamed(node.a), renamed(node.b));
-        break;
-      case Op::kDiv: out_[n] = builder_.div(renamed(node.a), renamed(node.b)); break;
-      case Op::kSqrt: out_[n] = builder_.sqrt(renamed(node.a)); break;
-      case Op::kSin: out_[n] = builder_.sin(renamed(node.a)); break;
-      case Op::kCos: out_[n] = builder_.cos(renamed(node.a)); break;
-      case Op::kStumpff:
-        out_[n] = builder_.stumpff(static_cast<int>(node.index), renamed(node.a));
-        break;
-      case Op::kQuaternionLog: out_[n] = builder_.quaternion_log(renamed(node.a)); break;
-      case Op::kLogCurvature: out_[n] = builder_.log_curvature(renamed(node.a)); break;
-      case Op::kPack: out_[n] = rebuild_pack(node); break;
-      case Op::kLane: out_[n] = builder_.lane(renamed(node.a), static_cast<int>(node.index)); break;
-      case Op::kHsum: out_[n] = builder_.hsum(renamed(node.a), static_cast<int>(node.index)); break;
-      case Op::kInput: break;
-      case Op::kSum: throw std::logic_error("fuse: the graph has n-ary sums already");
-    }
-  }
-
-  Ref rebuild_pack(const Node& node) {
-    std::vector<Ref> scalars;
-    for (std::uint32_t t = node.index; t < node.index + node.count; ++t)
-      scalars.push_back(renamed(in_.terms[t].a));
-    return builder_.pack(scalars);
+    if (node.op == Op::kAdd)
+      out_[n] = rebuild_sum(n);
+    else if (node.op != Op::kMul || !is_term(n))
+      out_[n] =
+          remake(builder_, in_, static_cast<std::uint32_t>(n), [&](Ref r) { return renamed(r); });
   }
 
   struct Sorted {

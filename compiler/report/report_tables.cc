@@ -82,16 +82,19 @@ ordered_json links_json(const Model& model) {
   return list;
 }
 
+ordered_json to_json(const Diagnostic& d) {
+  return {{"severity", name(d.severity)},
+          {"file", d.file},
+          {"line", d.location.line},
+          {"column", d.location.column},
+          {"element", d.element},
+          {"message", d.message},
+          {"hint", d.hint}};
+}
+
 ordered_json diagnostics_json(const Diagnostics& diagnostics) {
   ordered_json list = ordered_json::array();
-  for (const Diagnostic& d : diagnostics.all())
-    list.push_back({{"severity", d.severity == Severity::kNote ? "note" : "warning"},
-                    {"file", d.file},
-                    {"line", d.location.line},
-                    {"column", d.location.column},
-                    {"element", d.element},
-                    {"message", d.message},
-                    {"hint", d.hint}});
+  for (const Diagnostic& d : diagnostics.all()) list.push_back(to_json(d));
   return list;
 }
 

@@ -12,6 +12,9 @@ nlohmann::ordered_json skeleton_json(const Model& model);
 nlohmann::ordered_json controls_json(const Model& model);
 /// A row a link.
 nlohmann::ordered_json links_json(const Model& model);
+/// {"severity", "file", "line", "column", "element", "message", "hint"}; 0 and "" where there is
+/// none.
+nlohmann::ordered_json to_json(const Diagnostic& diagnostic);
 nlohmann::ordered_json diagnostics_json(const Diagnostics& diagnostics);
 /// Operations by link and function; those of no link in a row of their own.
 nlohmann::ordered_json operations_json(const ReportInput& input);
