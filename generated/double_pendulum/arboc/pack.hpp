@@ -75,8 +75,10 @@ struct Mask {
   ARBOC_INLINE bool operator[](int lane) const { return v[lane] != 0; }
 };
 
+/// Aligned as its vector, by name: by itself GCC aligns vectors that the machine lacks less, and
+/// translation units compiled for different machines would not fit together.
 template <class S, int N>
-struct Pack {
+struct alignas(N * sizeof(S)) Pack {
   static_assert(N > 1 && (N & (N - 1)) == 0, "a power of two");
   using Scalar = S;
   static constexpr int lanes = N;
