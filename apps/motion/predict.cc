@@ -124,6 +124,7 @@ Motion solve_problem(const Task& task, const Model& model, const Ends& ends, con
                      Free free, Stage& stage, const Options& options) {
   const Clock::time_point begin = Clock::now();
   Built built = build(task, model, ends, guess, free);
+  built.nlp->use_threads(options.threads);
   const std::vector<double> x = variables_of(built, guess);
   stage.control_points = built.q_basis.size();
   for (const Frames::Frame& f : built.frames.all) {

@@ -2,7 +2,7 @@
 #include "assembly.hpp"
 
 #include <algorithm>
-#include <ctime>
+#include <chrono>
 #include <stdexcept>
 
 namespace arboc {
@@ -13,14 +13,16 @@ namespace {
 /// Adds the time it lives to `seconds`.
 class Stopwatch {
  public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds), begin_(std::clock()) {}
-  ~Stopwatch() { seconds_ += static_cast<double>(std::clock() - begin_) / CLOCKS_PER_SEC; }
+  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
+  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - begin_).count(); }
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   double& seconds_;
-  std::clock_t begin_;
+  Clock::time_point begin_ = Clock::now();
 };
 
 }  // namespace
@@ -33,11 +35,7 @@ void Assembly::move_to(const double* x) {
 
 void Assembly::need_values() {
   if (has_values_) return;
-  for (std::size_t k = 0; k < inputs_.size(); ++k) {
-    double sum = input_constants_[k];
-    for (const auto& [variable, c] : bindings_[k]) sum += c * x_[variable];
-    inputs_[k] = sum;
-  }
+  input_sums_.evaluate(x_.data(), inputs_.data());
   const Stopwatch watch(time_.values);
   for (const Batch& b : batches_)
     b.function->values(b.size(), &inputs_[b.inputs], &outputs_[b.outputs]);
@@ -108,8 +106,9 @@ void Assembly::need_gradients() {
   }
   const Stopwatch watch(time_.assembly);
   std::copy(constant_gradients_.begin(), constant_gradients_.end(), gradients_.begin());
-  for (const Addition& add : to_gradients_)
-    gradients_[add.target] += add.factor * raw_jacobian_[add.source];
+  team_->run([&](int member) {
+    to_gradients_.run(input_sums_, member, raw_jacobian_.data(), gradients_.data());
+  });
   for (Expression& e : lines_) evaluate(e);
   for (Expression& e : costs_) evaluate(e);
   has_gradients_ = true;
@@ -135,10 +134,14 @@ const std::vector<double>& Assembly::jacobian() {
   need_gradients();
   const Stopwatch watch(time_.assembly);
   std::fill(jacobian_.begin(), jacobian_.end(), 0.0);
-  for (const Expression& e : lines_)
-    for (std::size_t k = 0; k < e.to_row.size(); ++k)
-      jacobian_[e.to_row[k].target] +=
-          e.slopes[e.to_row_argument[k]] * gradients_[e.to_row[k].source];
+  for (const Expression& e : lines_) {
+    if (!e.of) {
+      const auto from = gradients_.begin() + e.sums[0].first;
+      std::copy(from, from + static_cast<std::ptrdiff_t>(e.sums[0].columns.size()),
+                jacobian_.begin() + e.first_entry);
+    }
+    for (const Part& p : e.row) jacobian_[p.target] += e.slopes[p.argument] * gradients_[p.source];
+  }
   return jacobian_;
 }
 
@@ -173,11 +176,16 @@ const std::vector<double>& Assembly::hessian(double sigma, const double* multipl
   }
   const Stopwatch watch(time_.assembly);
   std::fill(hessian_.begin(), hessian_.end(), 0.0);
-  for (const Addition& add : to_hessian_)
-    hessian_[add.target] += add.factor * raw_hessian_[add.source];
+  team_->run([&](int member) { to_hessian_.run(member, raw_hessian_.data(), hessian_.data()); });
   for (std::size_t r = 0; r < lines_.size(); ++r) bend(lines_[r], multipliers[r]);
   for (std::size_t k = 0; k < costs_.size(); ++k) bend(costs_[k], sigma * weights_[k]);
   return hessian_;
+}
+
+void Assembly::use_threads(int count) {
+  to_gradients_.share_out(count);
+  to_hessian_.share_out(count);
+  team_ = std::make_unique<Team>(count);
 }
 
 void Assembly::set_variable(int variable, double lower, double upper) {

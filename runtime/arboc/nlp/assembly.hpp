@@ -1,25 +1,23 @@
 // Problem -> Nlp: patterns and ways of all derivatives are found once, values then flow along them.
 //
 // A point is evaluated in stages, each at most once: inputs and outputs of the functions, one call
-// a function for all its evaluations; rows and costs; Jacobian entries; Hessian entries.  An entry
-// of a function's Jacobian, its row a multiple of a quantity and its column one of a function's
-// input, is added to an entry of the result with a constant factor: the chain rule is a list of
-// such additions.  Curvature of scalar functions adds products of gradients, that of functions
-// arrives contracted with the multipliers.
+// a function for all its evaluations; rows and costs; Jacobian entries; Hessian entries.  From
+// functions to variables derivatives go by chain.hpp.  Curvature of scalar functions adds products
+// of gradients, that of functions arrives contracted with the multipliers.
 #ifndef ARBOC_NLP_ASSEMBLY_HPP
 #define ARBOC_NLP_ASSEMBLY_HPP
 
-#include <cstdint>
+#include <arboc/team.hpp>
 #include <map>
-#include <unordered_map>
 
+#include "chain.hpp"
 #include "problem.hpp"
 
 namespace arboc {
 inline namespace v1 {
 namespace nlp {
 
-/// CPU seconds of the process in functions and in the rest of the evaluation.
+/// Seconds by the clock in functions and in the rest of the evaluation.
 struct EvaluationTime {
   double values = 0, jacobian = 0, hessian = 0;  ///< of the functions
   double assembly = 0;                           ///< chain rules and scalar functions
@@ -45,6 +43,9 @@ class Assembly : public Nlp {
   const std::vector<double>& jacobian() override;
   const std::vector<double>& hessian(double sigma, const double* multipliers) override;
 
+  /// Shares out the chain rules; functions have threads of their own.
+  void use_threads(int count);
+
   /// Bounds may be moved between solutions; an equality stays one by equal bounds.
   void set_variable(int variable, double lower, double upper);
   void set_row(int group, int member, double lower, double upper);
@@ -58,11 +59,6 @@ class Assembly : public Nlp {
   const EvaluationTime& time() const { return time_; }
 
  private:
-  /// target += factor * source.
-  struct Addition {
-    int target, source;
-    double factor;
-  };
   /// All evaluations of one function; what belongs to them lies together, from these on.
   struct Batch {
     std::shared_ptr<Function> function;
@@ -88,27 +84,32 @@ class Assembly : public Nlp {
     int i, j;
     std::vector<Product> products;
   };
+  /// An entry of gradients_, times the slope of an argument, is part of an entry of a row.
+  struct Part {
+    int target, source, argument;
+  };
   /// A row or a cost: a scalar function of sums, plus the last sum.
   struct Expression {
     std::shared_ptr<const Scalar> of{};  ///< null: only the last sum
     std::vector<Sum> sums{};
     std::vector<double> arguments{}, slopes{}, curvature{};  ///< at the point; last slope: 1
     std::vector<Bend> bends{};
-    std::vector<Addition> to_row{};  ///< rows: from gradients_, times the slope of the argument
-    std::vector<int> to_row_argument{};
+    int first_entry = 0;      ///< of a row's Jacobian; where there is only a sum, as its gradient
+    std::vector<Part> row{};  ///< otherwise what is added to them
   };
 
   // Layout, in assembly_layout.cc.
   void lay_out_functions();
+  void lay_out_function(Batch& batch);
   Sum lay_out(const Affine& a);
   Expression lay_out(const Problem::Expression& e);
   void lay_out_rows();
   void drop_constant_rows();
   void lay_out_jacobian();
   void lay_out_hessian();
-  void lay_out_bends(Expression& e);
-  void lay_out_function_hessian(const Batch& batch, int k);
-  int hessian_entry(int i, int j);
+  template <class Visit>
+  static void for_each_bend(const Expression& e, const Visit& visit);
+  void lay_out_bends(Expression& e, const LowerTriangle& triangle);
 
   double value(const Sum& sum) const;
   double value(Expression& e) const;
@@ -128,12 +129,12 @@ class Assembly : public Nlp {
   std::vector<Batch> batches_;
   std::vector<int> first_output_;                        ///< of each evaluation, in y_
   std::vector<std::vector<std::vector<int>>> raw_rows_;  ///< evaluation, output -> raw entries
-  std::vector<std::vector<std::pair<int, double>>> bindings_;  ///< of each entry of inputs_
-  std::vector<double> input_constants_;
+  Inputs input_sums_;
   std::vector<int> raw_input_;  ///< raw Jacobian entry -> entry of inputs_
-  std::vector<Addition> to_gradients_, to_hessian_;
+  GradientChain to_gradients_;
+  HessianChain to_hessian_;
   std::vector<double> constant_gradients_;
-  std::unordered_map<std::int64_t, int> hessian_entries_;  ///< while it is laid out
+  std::unique_ptr<Team> team_;
   Pattern jacobian_pattern_, hessian_pattern_;
 
   bool has_values_ = false, has_gradients_ = false;

@@ -29,6 +29,7 @@ Assembly::Assembly(Problem problem)
   lay_out_hessian();
   gradients_ = constant_gradients_;
   output_weights_.assign(outputs_.size(), 0);
+  use_threads(1);
 }
 
 void Assembly::lay_out_functions() {
@@ -44,39 +45,41 @@ void Assembly::lay_out_functions() {
   }
   first_output_.resize(evaluations.size());
   raw_rows_.resize(evaluations.size());
-  for (Batch& batch : batches_) {
-    const Pattern& J = batch.function->jacobian_pattern();
-    const int m = batch.function->outputs();
-    batch.inputs = static_cast<int>(bindings_.size());
-    batch.outputs = size_of(outputs_);
-    batch.jacobian = static_cast<int>(raw_input_.size());
-    batch.hessian = size_of(raw_hessian_);
-    for (int k = 0; k < batch.size(); ++k) {
-      const int e = batch.evaluations[k], first_input = static_cast<int>(bindings_.size());
-      first_output_[e] = batch.outputs + k * m;
-      raw_rows_[e].resize(m);
-      for (const Affine& a : evaluations[e].inputs) {
-        input_constants_.push_back(a.constant);
-        auto& binding = bindings_.emplace_back();
-        for (const Affine::Term& t : a.terms) binding.emplace_back(t.of.index, t.coefficient);
-      }
-      for (std::size_t n = 0; n < J.size(); ++n) {
-        raw_rows_[e][J.row[n]].push_back(static_cast<int>(raw_input_.size()));
-        raw_input_.push_back(first_input + J.col[n]);
-      }
-    }
-    outputs_.resize(outputs_.size() + static_cast<std::size_t>(batch.size() * m));
-    raw_hessian_.resize(raw_hessian_.size() + batch.function->hessian_pattern().size() *
-                                                  static_cast<std::size_t>(batch.size()));
-  }
-  inputs_.resize(bindings_.size());
+  for (Batch& batch : batches_) lay_out_function(batch);
+  inputs_.resize(static_cast<std::size_t>(input_sums_.size()));
   raw_jacobian_.resize(raw_input_.size());
+}
+
+void Assembly::lay_out_function(Batch& batch) {
+  const Pattern &J = batch.function->jacobian_pattern(), &H = batch.function->hessian_pattern();
+  const int m = batch.function->outputs();
+  batch.inputs = input_sums_.size();
+  batch.outputs = size_of(outputs_);
+  batch.jacobian = static_cast<int>(raw_input_.size());
+  batch.hessian = size_of(raw_hessian_);
+  for (int k = 0; k < batch.size(); ++k) {
+    const int e = batch.evaluations[k], first = input_sums_.size();
+    first_output_[e] = batch.outputs + k * m;
+    raw_rows_[e].resize(m);
+    for (const Affine& a : problem_.evaluations()[e].inputs) input_sums_.push(a);
+    for (std::size_t n = 0; n < J.size(); ++n) {
+      raw_rows_[e][J.row[n]].push_back(static_cast<int>(raw_input_.size()));
+      raw_input_.push_back(first + J.col[n]);
+    }
+    to_hessian_.begin_evaluation(input_sums_, first, input_sums_.size());
+    const int hessian = batch.hessian + k * static_cast<int>(H.size());
+    for (int n = 0; n < static_cast<int>(H.size()); ++n)
+      to_hessian_.add(first + H.row[n], first + H.col[n], hessian + n);
+  }
+  outputs_.resize(outputs_.size() + static_cast<std::size_t>(batch.size() * m));
+  raw_hessian_.resize(raw_hessian_.size() + H.size() * static_cast<std::size_t>(batch.size()));
 }
 
 Assembly::Sum Assembly::lay_out(const Affine& a) {
   Sum sum;
   sum.constant = a.constant;
   sum.first = size_of(constant_gradients_);
+  std::vector<int> targets;
   std::map<int, int> slots;
   const auto slot = [&](int variable) {
     const auto [it, is_new] = slots.try_emplace(variable, size_of(constant_gradients_));
@@ -93,9 +96,13 @@ Assembly::Sum Assembly::lay_out(const Affine& a) {
       continue;
     }
     sum.outputs.emplace_back(first_output_[t.of.evaluation] + t.of.index, t.coefficient);
-    for (const int raw : raw_rows_[t.of.evaluation][t.of.index])
-      for (const auto& [variable, c] : bindings_[raw_input_[raw]])
-        to_gradients_.push_back({slot(variable), raw, t.coefficient * c});
+    for (const int raw : raw_rows_[t.of.evaluation][t.of.index]) {
+      const int input = raw_input_[raw];
+      targets.clear();
+      for (int n = input_sums_.begin[input]; n < input_sums_.begin[input + 1]; ++n)
+        targets.push_back(slot(input_sums_.variable[n]));
+      to_gradients_.add(input_sums_, input, raw, t.coefficient, targets);
+    }
   }
   return sum;
 }
@@ -153,78 +160,59 @@ void Assembly::drop_constant_rows() {
 
 void Assembly::lay_out_jacobian() {
   for (int r = 0; r < static_cast<int>(lines_.size()); ++r) {
+    Expression& e = lines_[r];
+    e.first_entry = static_cast<int>(jacobian_pattern_.size());
     std::map<int, int> slots;
-    for (std::size_t a = 0; a < lines_[r].sums.size(); ++a) {
-      const Sum& sum = lines_[r].sums[a];
+    for (int a = 0; a < static_cast<int>(e.sums.size()); ++a) {
+      const Sum& sum = e.sums[a];
       for (int k = 0; k < static_cast<int>(sum.columns.size()); ++k) {
         const auto [it, is_new] =
             slots.try_emplace(sum.columns[k], static_cast<int>(jacobian_pattern_.size()));
         if (is_new) jacobian_pattern_.push(r, sum.columns[k]);
-        lines_[r].to_row.push_back({it->second, sum.first + k, 1});
-        lines_[r].to_row_argument.push_back(static_cast<int>(a));
+        if (e.of) e.row.push_back({it->second, sum.first + k, a});
       }
     }
   }
   jacobian_.assign(jacobian_pattern_.size(), 0);
 }
 
-int Assembly::hessian_entry(int i, int j) {
-  const int row = std::max(i, j), col = std::min(i, j);
-  const auto [it, is_new] =
-      hessian_entries_.try_emplace(static_cast<std::int64_t>(row) * size_of(x_) + col,
-                                   static_cast<int>(hessian_pattern_.size()));
-  if (is_new) hessian_pattern_.push(row, col);
-  return it->second;
-}
-
 void Assembly::lay_out_hessian() {
-  for (const Batch& batch : batches_)
-    for (int k = 0; k < batch.size(); ++k) lay_out_function_hessian(batch, k);
-  for (Expression& e : lines_) lay_out_bends(e);
-  for (Expression& e : costs_) lay_out_bends(e);
+  LowerTriangle triangle(size_of(x_));
+  to_hessian_.list(triangle);
+  for (const auto* list : {&lines_, &costs_})
+    for (const Expression& e : *list)
+      for_each_bend(e, [&](int, int, int, int, int u, int v) { triangle.add(u, v); });
+  triangle.finish();
+  triangle.for_each([&](int row, int col) { hessian_pattern_.push(row, col); });
+  to_hessian_.lay_out(triangle);
+  for (auto* list : {&lines_, &costs_})
+    for (Expression& e : *list) lay_out_bends(e, triangle);
   hessian_.assign(hessian_pattern_.size(), 0);
-  hessian_entries_.clear();
 }
 
-/// An entry (i, j) of a function's Hessian stands for (j, i) as well: both meet where two inputs
-/// are sums with the same variable.
-void Assembly::lay_out_function_hessian(const Batch& batch, int k) {
-  const Pattern& H = batch.function->hessian_pattern();
-  const int inputs = batch.inputs + k * batch.function->inputs();
-  const int first = batch.hessian + k * static_cast<int>(H.size());
-  for (int n = 0; n < static_cast<int>(H.size()); ++n) {
-    const auto& left = bindings_[inputs + H.row[n]];
-    const auto& right = bindings_[inputs + H.col[n]];
-    for (std::size_t a = 0; a < left.size(); ++a) {
-      const std::size_t end = H.row[n] == H.col[n] ? a + 1 : right.size();
-      for (std::size_t b = 0; b < end; ++b) {
-        const auto [u, cu] = left[a];
-        const auto [v, cv] = right[b];
-        const bool twice = u == v && (H.row[n] != H.col[n] || a != b);
-        to_hessian_.push_back({hessian_entry(u, v), first + n, (twice ? 2 : 1) * cu * cv});
-      }
-    }
-  }
-}
-
-void Assembly::lay_out_bends(Expression& e) {
-  if (!e.of) return;
-  for (int i = 0; i < static_cast<int>(e.arguments.size()); ++i) {
+/// Calls visit(i, j, a, b, u, v): arguments i >= j of a scalar function that bends by both, entries
+/// a and b of their gradients, and the variables of these.
+template <class Visit>
+void Assembly::for_each_bend(const Expression& e, const Visit& visit) {
+  for (int i = 0; e.of && i < static_cast<int>(e.arguments.size()); ++i) {
     for (int j = 0; j <= i; ++j) {
       if (!e.of->curved(i, j)) continue;
       const Sum &left = e.sums[i], &right = e.sums[j];
-      Bend bend{i, j, {}};
-      for (int a = 0; a < static_cast<int>(left.columns.size()); ++a) {
-        const int end = i == j ? a + 1 : static_cast<int>(right.columns.size());
-        for (int b = 0; b < end; ++b) {
-          const int u = left.columns[a], v = right.columns[b];
-          bend.products.push_back(
-              {hessian_entry(u, v), left.first + a, right.first + b, u == v && i != j ? 2.0 : 1.0});
-        }
-      }
-      e.bends.push_back(std::move(bend));
+      for (int a = 0; a < static_cast<int>(left.columns.size()); ++a)
+        for (int b = 0; b < (i == j ? a + 1 : static_cast<int>(right.columns.size())); ++b)
+          visit(i, j, left.first + a, right.first + b, left.columns[a], right.columns[b]);
     }
   }
+}
+
+/// Where two arguments differ both products of a pair of variables meet in one entry.
+void Assembly::lay_out_bends(Expression& e, const LowerTriangle& triangle) {
+  for_each_bend(e, [&](int i, int j, int left, int right, int u, int v) {
+    if (e.bends.empty() || e.bends.back().i != i || e.bends.back().j != j)
+      e.bends.push_back({i, j, {}});
+    e.bends.back().products.push_back(
+        {triangle.entry(u, v), left, right, u == v && i != j ? 2.0 : 1.0});
+  });
 }
 
 }  // namespace nlp
