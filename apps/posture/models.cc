@@ -2,14 +2,19 @@
 
 #include <cmath>
 #include <humanoid/humanoid_batch.hpp>
+#include <humanoid_motion/humanoid_motion_batch.hpp>
 #include <nine_dof/nine_dof_batch.hpp>
+#include <nine_dof_motion/nine_dof_motion_batch.hpp>
 #include <santos/santos_batch.hpp>
+#include <santos_motion/santos_motion_batch.hpp>
 #include <stdexcept>
 
 namespace posture {
 namespace {
 
 using arboc::nlp::Robot;
+
+constexpr int kLanes = 4;  ///< of what motions call: SCALARS in CMakeLists.txt
 
 /// Coordinates before the first torque that has a limit move the body as a whole.
 std::vector<bool> passive_until_limited(const Robot& robot) {
@@ -27,7 +32,7 @@ std::vector<double> list(const double (&table)[N]) {
 Model santos_model() {
   Model m;
   m.robot = ARBOC_NLP_ROBOT(santos);
-  m.robot.dynamics = ARBOC_NLP_DYNAMICS(santos);
+  m.robot.dynamics = ARBOC_NLP_DYNAMICS(santos_motion, kLanes);
   m.robot.postures["relaxed"] = list(santos::q_relaxed);
   m.passive = passive_until_limited(m.robot);
   m.limbs = {{"hip", "z3", "z6", "z9", "z12", "z13", "z14", "z17", "z19", "r_hand"},
@@ -43,7 +48,7 @@ Model santos_model() {
 Model nine_dof_model() {
   Model m;
   m.robot = ARBOC_NLP_ROBOT(nine_dof);
-  m.robot.dynamics = ARBOC_NLP_DYNAMICS(nine_dof);
+  m.robot.dynamics = ARBOC_NLP_DYNAMICS(nine_dof_motion, kLanes);
   m.robot.postures["start"] = list(nine_dof::q_start);
   m.passive = passive_until_limited(m.robot);
   m.limbs = {{"trunk", "r_shoulder", "r_upper_arm", "r_lower_arm", "r_hand"},
@@ -54,7 +59,7 @@ Model nine_dof_model() {
 Model humanoid_model() {
   Model m;
   m.robot = ARBOC_NLP_ROBOT(humanoid);
-  m.robot.dynamics = ARBOC_NLP_DYNAMICS(humanoid);
+  m.robot.dynamics = ARBOC_NLP_DYNAMICS(humanoid_motion, kLanes);
   m.passive = passive_until_limited(m.robot);
   m.up = 2;
   m.limbs = {{"pelvis", "thorax", "head"},

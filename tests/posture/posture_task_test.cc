@@ -53,7 +53,9 @@ TEST(PostureTask, SaysWhatIsWrongAndWhere) {
   for (const auto& c : cases) {
     const std::string said = complaint(c.text);
     EXPECT_NE(said, "") << c.text;
-    if (c.message) EXPECT_EQ(said, c.message);
+    if (c.message) {
+      EXPECT_EQ(said, c.message);
+    }
   }
 }
 

@@ -6,13 +6,15 @@
 //   auto statics = std::make_shared<nlp::Generated<
 //       ur5::statics_fn, ur5::statics_tau_jacobian_q_f_ext_fn,
 //       ur5::statics_tau_hessian_q_f_ext_fn>>();
-// The inputs of the function are those by which derivatives are taken, one behind the other (q,
-// then f_ext); what else the generated functions ask for is a parameter, the same at all points.
+// Many points go over threads, and with a number of lanes (Generated<..., 4>, --scalars double4)
+// that many at a time in the lanes of vectors. The inputs of the function are those by which
+// derivatives are taken, one behind the other (q, then f_ext); what else the generated functions
+// ask for is a parameter, the same at all points.
 #ifndef ARBOC_NLP_GENERATED_HPP
 #define ARBOC_NLP_GENERATED_HPP
 
 #include <algorithm>
-#include <arboc/team.hpp>
+#include <arboc/batch.hpp>
 #include <array>
 #include <map>
 #include <memory>
@@ -25,9 +27,46 @@ namespace arboc {
 inline namespace v1 {
 namespace nlp {
 
+/// F at n points, one a row of each argument: one after the other, or N at a time.
+template <class F, int N>
+class Points {
+ public:
+  using Inputs = std::array<Rows<const double>, F::inputs>;
+  using Outputs = std::array<Rows<double>, F::outputs>;
+
+  explicit Points(int threads) : team_(N > 1 ? 1 : threads), batch_(N > 1 ? threads : 1) {}
+
+  void evaluate(int n, const Inputs& in, const Outputs& out) {
+    if (N > 1 && n > 1) return batch_.evaluate(static_cast<std::size_t>(n), in, out);
+    const int members = n < 2 * team_.size() ? 1 : team_.size();
+    const auto part = [&](int member) {
+      for (int s = n * member / members; s < n * (member + 1) / members; ++s)
+        one(static_cast<std::size_t>(s), in, out);
+    };
+    if (members == 1) return part(0);
+    team_.run(part);
+  }
+
+ private:
+  static void one(std::size_t s, const Inputs& in, const Outputs& out) {
+    const double* from[F::inputs];
+    double* to[F::outputs];
+    for (std::size_t k = 0; k < F::inputs; ++k) from[k] = in[k].row(s, F::input_size[k]);
+    for (std::size_t k = 0; k < F::outputs; ++k) to[k] = out[k].row(s, F::output_size[k]);
+    F::template call<double>(from, to);
+  }
+  struct None {
+    explicit None(int) {}
+    void evaluate(std::size_t, const Inputs&, const Outputs&) {}
+  };
+
+  Team team_;
+  std::conditional_t<(N > 1), Batch<F, double, N>, None> batch_;
+};
+
 /// `Value` has the output, `Jacobian` and `Hessian` are what --jacobian and --hessian make of it,
-/// by the same inputs.
-template <class Value, class Jacobian, class Hessian>
+/// by the same inputs; N lanes.
+template <class Value, class Jacobian, class Hessian, int N = 1>
 class Generated : public Function {
  public:
   Generated() {
@@ -52,64 +91,64 @@ class Generated : public Function {
   const Pattern& hessian_pattern() const override { return hessian_; }
 
   void values(int n, const double* x, double* y) override {
-    share_out(n, [&](int s, int member) {
-      std::array<double*, Value::outputs> out;
-      double* other = scratch_[static_cast<std::size_t>(member)].data();
-      for (int k = 0; k < Value::outputs; other += Value::output_size[k++])
-        out[k] = k == output_index_ ? y + s * outputs_ : other;
-      Value::template call<double>(in<Value>(x + s * inputs_, nullptr).data(), out.data());
-    });
+    std::size_t others = 0;  // outputs that nobody wants
+    for (const int size : Value::output_size) others += static_cast<std::size_t>(size);
+    scratch_.resize(others * static_cast<std::size_t>(n));
+    std::vector<Rows<double>> out;
+    double* other = scratch_.data();
+    for (int k = 0; k < Value::outputs; ++k) {
+      out.emplace_back(k == output_index_ ? y : other);
+      other += static_cast<std::ptrdiff_t>(n) * Value::output_size[k];
+    }
+    values_->evaluate(n, in<Value>(x, nullptr), array<Value>(out));
   }
   void jacobian(int n, const double* x, double* entries) override {
-    share_out(n, [&](int s, int) {
-      call<Jacobian>(x + s * inputs_, nullptr, entries + s * jacobian_.size());
-    });
+    jacobians_->evaluate(n, in<Jacobian>(x, nullptr), out<Jacobian>(entries, jacobian_.size()));
   }
   void hessian(int n, const double* x, const double* weights, double* entries) override {
-    share_out(n, [&](int s, int) {
-      double* to = entries + s * hessian_.size();
-      call<Hessian>(x + s * inputs_, weights + s * outputs_, to);
-      if (weighted_) return;
-      for (std::size_t k = 0; k < hessian_.size(); ++k) to[k] *= weights[s];
-    });
+    hessians_->evaluate(n, in<Hessian>(x, weights), out<Hessian>(entries, hessian_.size()));
+    if (weighted_) return;
+    for (int s = 0; s < n; ++s)
+      for (std::size_t k = 0; k < hessian_.size(); ++k) *entries++ *= weights[s];
   }
   void use_threads(int count) override {
-    team_ = std::make_unique<Team>(count);
-    int entries = 0;
-    for (const int size : Value::output_size) entries += size;
-    scratch_.assign(static_cast<std::size_t>(count),
-                    std::vector<double>(static_cast<std::size_t>(entries)));
+    values_ = std::make_unique<Points<Value, N>>(count);
+    jacobians_ = std::make_unique<Points<Jacobian, N>>(count);
+    hessians_ = std::make_unique<Points<Hessian, N>>(count);
   }
 
  private:
-  /// Calls job(point, member of the team) for n points.
-  template <class Job>
-  void share_out(int n, const Job& job) {
-    const int members = n < 2 * team_->size() ? 1 : team_->size();
-    const auto part = [&](int member) {
-      for (int s = n * member / members; s < n * (member + 1) / members; ++s) job(s, member);
-    };
-    if (members == 1) return part(0);
-    team_->run(part);
-  }
   template <class F>
-  std::array<const double*, F::inputs> in(const double* x, const double* weights) const {
-    std::array<const double*, F::inputs> pointers;
-    for (int k = 0; k < F::inputs; ++k) {
-      const std::string name = F::input_name[k];
+  typename Points<F, N>::Inputs in(const double* x, const double* weights) const {
+    return in<F>(x, weights, std::make_index_sequence<F::inputs>());
+  }
+  template <class F, std::size_t... K>
+  typename Points<F, N>::Inputs in(const double* x, const double* weights,
+                                   std::index_sequence<K...>) const {
+    const auto rows = [&](const std::string& name) -> Rows<const double> {
       const auto own = first_.find(name);
-      if (own != first_.end())
-        pointers[k] = x + own->second;
-      else
-        pointers[k] = name == "lambda" ? weights : parameters_.at(name).data();
-    }
-    return pointers;
+      if (own != first_.end()) return {x + own->second, inputs_};
+      if (name == "lambda") return {weights, outputs_};
+      return {parameters_.at(name).data(), 0};
+    };
+    return {rows(F::input_name[K])...};
+  }
+  /// Outputs one behind the other, `stride` entries a point.
+  template <class F>
+  static typename Points<F, N>::Outputs out(double* entries, std::size_t stride) {
+    std::vector<Rows<double>> rows;
+    for (int k = 0; k < F::outputs; entries += F::output_size[k++])
+      rows.emplace_back(entries, static_cast<std::ptrdiff_t>(stride));
+    return array<F>(rows);
   }
   template <class F>
-  void call(const double* x, const double* weights, double* entries) const {
-    std::array<double*, F::outputs> out;
-    for (int k = 0; k < F::outputs; entries += F::output_size[k++]) out[k] = entries;
-    F::template call<double>(in<F>(x, weights).data(), out.data());
+  static typename Points<F, N>::Outputs array(const std::vector<Rows<double>>& rows) {
+    return array<F>(rows, std::make_index_sequence<F::outputs>());
+  }
+  template <class F, std::size_t... K>
+  static typename Points<F, N>::Outputs array(const std::vector<Rows<double>>& rows,
+                                              std::index_sequence<K...>) {
+    return {rows[K]...};
   }
 
   static int column_of(const std::string& name) {
@@ -169,8 +208,10 @@ class Generated : public Function {
   bool weighted_ = false;
   std::map<std::string, int> first_;  ///< of each input by which derivatives are taken
   std::map<std::string, std::vector<double>> parameters_;
-  std::unique_ptr<Team> team_;
-  std::vector<std::vector<double>> scratch_;  ///< of each member: outputs that nobody wants
+  std::unique_ptr<Points<Value, N>> values_;
+  std::unique_ptr<Points<Jacobian, N>> jacobians_;
+  std::unique_ptr<Points<Hessian, N>> hessians_;
+  std::vector<double> scratch_;
   Pattern jacobian_, hessian_;
 };
 

@@ -6,9 +6,11 @@
 //     --jacobian statics.tau:q,f_ext --hessian statics.tau:q,f_ext
 //   #include <hero/hero_batch.hpp>
 //   const arboc::nlp::Robot robot = ARBOC_NLP_ROBOT(hero);
-// Coordinates are single (--expand): a step in q is a sum.  Motions also need
+// Coordinates are single (--expand): a step in q is a sum.  Motions also need, of this folder or
+// another one,
 //     --functions rnea --jacobian rnea.tau:q,v,a,f_ext --hessian rnea.tau:q,v,a,f_ext
-//   robot.dynamics = ARBOC_NLP_DYNAMICS(hero);
+//     --scalars double4
+//   robot.dynamics = ARBOC_NLP_DYNAMICS(hero, 4);   // in lanes, 4 instants at a time
 #ifndef ARBOC_NLP_ROBOT_HPP
 #define ARBOC_NLP_ROBOT_HPP
 
@@ -66,9 +68,9 @@ Robot robot_of(const RobotTables& tables, std::shared_ptr<Function> placements,
           ::arboc::nlp::Generated<ns::statics_fn, ns::statics_tau_jacobian_q_f_ext_fn,             \
                                   ns::statics_tau_hessian_q_f_ext_fn>>())
 
-#define ARBOC_NLP_DYNAMICS(ns)                                                                  \
+#define ARBOC_NLP_DYNAMICS(ns, lanes)                                                           \
   ::std::make_shared<::arboc::nlp::Generated<ns::rnea_fn, ns::rnea_tau_jacobian_q_v_a_f_ext_fn, \
-                                             ns::rnea_tau_hessian_q_v_a_f_ext_fn>>()
+                                             ns::rnea_tau_hessian_q_v_a_f_ext_fn, lanes>>()
 
 }  // namespace nlp
 }  // namespace v1
