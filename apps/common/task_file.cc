@@ -141,6 +141,11 @@ int Table::whole(const char* key, int otherwise, int least) {
                 what_ + ": " + key + " is not a whole number of at least " + std::to_string(least));
   return *x;
 }
+double Table::rate(double otherwise) {
+  const double rate = number("rate", otherwise);
+  if (!(rate > 0 && rate <= kMostFrames)) fail("rate is not between 0 and 10000 frames a second");
+  return rate;
+}
 bool Table::flag(const char* key, bool otherwise) {
   const toml::node* node = find(key);
   if (!node) return otherwise;

@@ -31,6 +31,8 @@ toml::table over_base(toml::table own);
 
 class Table {
  public:
+  static constexpr double kMostFrames = 10000;  ///< a second
+
   Table(const toml::table& table, std::string what) : table_(table), what_(std::move(what)) {}
 
   bool has(const char* key) const { return table_.contains(key); }
@@ -42,6 +44,7 @@ class Table {
   double number(const char* key, double otherwise);
   int whole(const char* key, int otherwise, int least);
   bool flag(const char* key, bool otherwise);
+  double rate(double otherwise);  ///< `rate`: frames a second, at most kMostFrames
   Eigen::Vector3d vector(const char* key);
   Eigen::Vector3d vector(const char* key, const Eigen::Vector3d& otherwise);
   /// Three numbers (fixed) or pairs of limits.

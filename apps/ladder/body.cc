@@ -14,7 +14,7 @@ namespace {
 #define LADDER_TREE(ns, hand)                                                                \
   [] {                                                                                       \
     static_assert(ns::nv == kJoints && ns::frame::count == kFrames, "of other size");        \
-    Tree made{STUDY_FIXED_MODEL(ns, ns##_rates), hand, {}, {}, {}, {}, {}, {}, {}};          \
+    Tree made{STUDY_FIXED_MODEL(ns, ns##_rates), hand, {}, {}, {}, {}, {}, {}};              \
     made.jacobian = [](const Joints& q, double* J) {                                         \
       Eigen::Map<Eigen::Matrix<double, 6 * kFrames, kJoints>>{J} = ns::frame_jacobian(q);    \
     };                                                                                       \
@@ -24,11 +24,6 @@ namespace {
     made.momentum_rate = [](const Joints& q, const Joints& v, const Joints& a, double* dh) { \
       double h[6], A_G[6 * kJoints];                                                         \
       ns::raw::centroidal<double>(q.data(), v.data(), a.data(), h, A_G, dh);                 \
-    };                                                                                       \
-    made.com = [](const Joints& q, double* c) {                                              \
-      const Joints rest = Joints::Zero();                                                    \
-      double velocity[3];                                                                    \
-      ns::raw::com<double>(q.data(), rest.data(), c, velocity);                              \
     };                                                                                       \
     made.mass_matrix = [](const Joints& q) -> Matrix { return ns::crba(q); };                \
     made.torques =                                                                           \

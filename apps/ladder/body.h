@@ -43,10 +43,9 @@ struct Tree : study::FixedModel {
   std::function<void(const Joints& q, const Joints& v, const Joints& a, double* out)>
       acceleration;  ///< 6 a frame: of the origin and angular, along world axes
   std::function<void(const Joints& q, const Joints& v, const Joints& a, double* dh)>
-      momentum_rate;                                    ///< N, N m about the centre of mass
-  std::function<void(const Joints& q, double* c)> com;  ///< m
-  std::function<Matrix(const Joints& q)> mass_matrix;   ///< in this tree's order
-  std::shared_ptr<arboc::nlp::Function> torques;        ///< q, v, a -> tau, this tree's order
+      momentum_rate;                                   ///< N, N m about the centre of mass
+  std::function<Matrix(const Joints& q)> mass_matrix;  ///< in this tree's order
+  std::shared_ptr<arboc::nlp::Function> torques;       ///< q, v, a -> tau, this tree's order
 
   Joints own(const Joints& canonical) const;  ///< in this tree's order
   Joints canonical(const Joints& own) const;

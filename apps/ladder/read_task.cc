@@ -54,10 +54,10 @@ Task read_task(const std::string& path) {
   task.bars = table.whole("bars", task.bars, 1);
   task.spacing = table.number("spacing", task.spacing);
   task.duration = table.number("duration", task.duration);
-  task.rate = table.number("rate", task.rate);
+  task.rate = table.rate(task.rate);
   task.clearance = table.number("clearance", task.clearance);
-  if (!(task.spacing > 0 && task.duration > 0 && task.rate > 0 && task.clearance >= 0))
-    table.fail("spacing, duration and rate are above 0, clearance is not below");
+  if (!(task.spacing > 0 && task.duration > 0 && task.clearance >= 0))
+    table.fail("spacing and duration are above 0, clearance is not below");
   const std::string first = table.text("first", "left"), gait = table.text("gait", "smooth");
   if (first != "left" && first != "right") table.fail("first is left or right");
   if (gait != "smooth" && gait != "stops") table.fail("gait is smooth or stops");

@@ -93,8 +93,7 @@ Task read_task(const std::string& path) {
   task.points_per_span = table.whole("points_per_span", task.points_per_span, 1);
   task.methods = read_methods(table);
   task.limits = table.flag("limits", task.limits);
-  task.rate = table.number("rate", task.rate);
-  if (!(task.rate > 0)) table.fail("rate is not above 0");
+  task.rate = table.rate(task.rate);
   task.max_iterations = table.whole("max_iterations", task.max_iterations, 1);
   table.finish();
   return task;

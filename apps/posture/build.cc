@@ -44,7 +44,6 @@ class Builder {
     out_.tau = stance_.tau();
     out_.driven = stance_.driven();
     out_.reactions = stance_.reactions();
-    out_.wrenches = stance_.wrenches();
     out_.nlp = std::make_unique<Assembly>(std::move(problem_));
     if (options_.aspect == Aspect::kAll && !task_.torque_limits)
       for (int k = 0; k < out_.tau.size(); ++k)

@@ -22,7 +22,6 @@ struct Built {
   arboc::nlp::Quantities q, tau;
   std::vector<int> driven;                        ///< coordinate of each torque
   std::vector<arboc::nlp::Quantities> reactions;  ///< one a contact
-  std::vector<arboc::nlp::Affine> wrenches;       ///< as inputs of statics
   int maximum = -1;                               ///< variable of the largest normalised torque
   std::vector<int> targets;                       ///< groups of rows
   std::vector<int> elastic;  ///< groups in the order in which they may give way

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <humanoid/humanoid_batch.hpp>
 #include <humanoid_motion/humanoid_motion_batch.hpp>
+#include <map>
 #include <nine_dof/nine_dof_batch.hpp>
 #include <nine_dof_motion/nine_dof_motion_batch.hpp>
 #include <santos/santos_batch.hpp>
@@ -72,16 +73,13 @@ Model humanoid_model() {
 
 }  // namespace
 
-std::vector<std::string> model_names() { return {"humanoid", "nine_dof", "santos"}; }
-
 const Model& model(const std::string& name) {
-  static const Model humanoid = humanoid_model(), nine_dof = nine_dof_model(),
-                     santos = santos_model();
-  if (name == "humanoid") return humanoid;
-  if (name == "nine_dof") return nine_dof;
-  if (name == "santos") return santos;
+  static const std::map<std::string, Model> models = {
+      {"humanoid", humanoid_model()}, {"nine_dof", nine_dof_model()}, {"santos", santos_model()}};
+  const auto at = models.find(name);
+  if (at != models.end()) return at->second;
   std::string known;
-  for (const std::string& n : model_names()) known += (known.empty() ? "" : ", ") + n;
+  for (const auto& [other, model] : models) known += (known.empty() ? "" : ", ") + other;
   throw std::invalid_argument("there is no model '" + name + "'; those in this program are " +
                               known + " (apps/posture/CMakeLists.txt and models.cc add others)");
 }

@@ -13,6 +13,5 @@ struct Model {
 
 /// Throws std::invalid_argument with the names there are.
 const Model& model(const std::string& name);
-std::vector<std::string> model_names();
 
 }  // namespace posture

@@ -52,7 +52,7 @@ Vector6 magnus(const Model& model, const Manoeuvre& manoeuvre, std::size_t step,
   return a1 + a3 / 12 - bracket(-20 * a1 - a3 + C1, a2 + C2) / 240;
 }
 
-Trajectory simulate(const Model& model, const Manoeuvre& manoeuvre, double rate, int substeps) {
+Trajectory simulate(const Model& model, const Manoeuvre& manoeuvre, double rate) {
   const int frames = static_cast<int>(std::ceil(manoeuvre.duration() * rate - 1e-9)) + 1;
   const std::vector<double>& ends = manoeuvre.ends();
   Trajectory out;
@@ -61,13 +61,11 @@ Trajectory simulate(const Model& model, const Manoeuvre& manoeuvre, double rate,
   std::size_t step = 0;
   double t = 0;
   const auto advance = [&](double to) {
-    const double from = t, h = (to - from) / substeps;
-    for (int k = 0; k < substeps && to > from; ++k) {
-      Vector q = model.at_origin(Vector::Zero(model.nv - 6)), move = Vector::Zero(model.nv);
-      q.head<7>() = base;
-      move.head<6>() = magnus(model, manoeuvre, step, from + k * h, from + (k + 1) * h);
-      base = model.integrate(q, move).head<7>();
-    }
+    if (!(to > t)) return;
+    Vector q = model.at_origin(Vector::Zero(model.nv - 6)), move = Vector::Zero(model.nv);
+    q.head<7>() = base;
+    move.head<6>() = magnus(model, manoeuvre, step, t, to);
+    base = model.integrate(q, move).head<7>();
     t = to;
   };
   for (int k = 0; k < frames; ++k) {

@@ -27,8 +27,7 @@ struct Trajectory {
   std::vector<double> times;
   std::vector<Vector> q, v, a;  ///< of all coordinates
 };
-/// `substeps`: parts of each interval between frames.
-Trajectory simulate(const Model& model, const Manoeuvre& manoeuvre, double rate, int substeps = 1);
+Trajectory simulate(const Model& model, const Manoeuvre& manoeuvre, double rate);
 
 /// How the trunk has turned at the end, along its axes at the start, by `intervals` of each step.
 Eigen::Matrix3d final_turn(const Model& model, const Manoeuvre& manoeuvre, int intervals);

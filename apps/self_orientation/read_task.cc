@@ -70,10 +70,10 @@ Task read_task(const std::string& path) {
   }
   if (task.steps.empty()) table.fail("there are no steps");
   task.cycles = table.whole("cycles", 1, 1);
-  task.rate = table.number("rate", task.rate);
+  task.rate = table.rate(task.rate);
   task.reverse = table.flag("reverse", false);
   task.time_scale = table.number("time_scale", 1);
-  if (!(task.rate > 0 && task.time_scale > 0)) table.fail("rate or time_scale is not above 0");
+  if (!(task.time_scale > 0)) table.fail("time_scale is not above 0");
   if (const auto aim = table.table("aim")) task.aim = read_aim(*aim, task.steps);
   table.finish();
   return task;

@@ -219,7 +219,7 @@ constexpr double kWarmPush = 1e-6;
 
 void set_options(Ipopt::IpoptApplication& app, const SolverOptions& options) {
   Ipopt::OptionsList& o = *app.Options();
-  o.SetIntegerValue("print_level", options.print_level);
+  o.SetIntegerValue("print_level", 0);
   o.SetStringValue("sb", "yes");
   o.SetNumericValue("tol", options.tolerance);
   o.SetNumericValue("constr_viol_tol", options.row_tolerance);
@@ -273,8 +273,7 @@ Solution solve(Nlp& nlp, std::vector<double> x, const SolverOptions& options) {
   if (solution.x.size() != nlp.variables().size())
     throw std::invalid_argument("solve: x has not as many entries as there are variables");
   // Ipopt owns what it is given by a SmartPtr; console output off.
-  Ipopt::SmartPtr<Ipopt::IpoptApplication> app =
-      new Ipopt::IpoptApplication(options.print_level > 0);
+  Ipopt::SmartPtr<Ipopt::IpoptApplication> app = new Ipopt::IpoptApplication(false);
   app->RethrowNonIpoptException(true);
   set_options(*app, options);
   set_blas_threads(options.blas_threads);

@@ -50,7 +50,6 @@ struct SolverOptions {
   /// Of OpenBLAS, where that is Ipopt's BLAS: on problems of some hundred variables more threads
   /// only wait for each other.
   int blas_threads = 1;
-  int print_level = 0;  ///< Ipopt's
   /// Given: start from these multipliers too, close to the bounds that are active.
   const Multipliers* warm = nullptr;
   std::function<bool(const Progress&)> go_on = {};  ///< false stops

@@ -113,8 +113,6 @@ class Stance {
   const Quantities& tau() const { return tau_; }
   /// Of a contact, six variables along its axes; in the order in which contacts were added.
   const std::vector<Quantities>& reactions() const { return reactions_; }
-  /// The same as inputs of statics: per load six sums along the world's axes.
-  const std::vector<Affine>& wrenches() const { return wrenches_; }
 
  private:
   void add_rows(int group, const AffineVector& p, const Place& place);
@@ -135,7 +133,7 @@ class Stance {
   Instant instant_;
   std::vector<int> driven_;
   std::vector<Quantities> reactions_;
-  std::vector<Affine> wrenches_;
+  std::vector<Affine> wrenches_;  ///< f_ext: per load six sums along the world's axes
 };
 
 /// The variables of a contact's reaction, within its limits.
