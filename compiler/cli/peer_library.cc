@@ -1,6 +1,7 @@
 #include "cli/peer_library.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -124,17 +125,31 @@ std::string build(const Common& common, const PeerOptions& options, const PeerKi
     files[name] = embedded("peers/" + name);
   files["sources.cpp"] = sources_of(kind, options);
   own.cxxflags = flags_of(kind, options);
-  std::string folder = temporary;
+  std::string kept, folder = temporary;
   if (!options.keep.empty()) {
     std::string all = fmt::format("{}", fmt::join(compiler_command(own), " "));
     for (const auto& [name, text] : files) all += name + text;
-    folder = fmt::format("{}/{}-{:016x}", options.keep, kind.file, std::hash<std::string>()(all));
-    if (fs::exists(folder + "/lib.so")) return folder + "/lib.so";
+    kept = fmt::format("{}/{}-{:016x}", options.keep, kind.file, std::hash<std::string>()(all));
+    if (fs::exists(kept + "/lib.so")) return kept + "/lib.so";
+    folder = fmt::format("{}.part-{}", kept, ::getpid());
   }
   own.cxxflags += fmt::format(" -idirafter {}/configured", folder);
   std::vector<std::string> sources{fmt::format("{}.cpp", kind.file), "peer.cpp", "driver.cpp"};
   if (!files["sources.cpp"].empty()) sources.emplace_back("sources.cpp");
-  return build_library(own, folder, files, sources, {kind.libraries});
+  if (kept.empty()) return build_library(own, folder, files, sources, {kind.libraries});
+  // Whole or not at all: somebody may interrupt this, or build the same.
+  try {
+    build_library(own, folder, files, sources, {kind.libraries});
+    std::error_code error;
+    fs::rename(folder, kept, error);
+    if (error && !fs::exists(kept + "/lib.so"))
+      throw fs::filesystem_error("rename", folder, kept, error);
+  } catch (...) {
+    fs::remove_all(folder);
+    throw;
+  }
+  fs::remove_all(folder);
+  return kept + "/lib.so";
 }
 
 }  // namespace
@@ -168,7 +183,9 @@ void add_peer_options(CLI::App& app, PeerOptions& options) {
   for (const char* name : {"pinocchio", "cppadcodegen", "cppad", "rbdl"})
     add(fmt::format("--{}", name), options.folders[name], "DIR",
         "a checkout or where it is installed: DIR/include");
-  add("--keep", options.keep, "DIR", "keep compiled peers there for the next time");
+  add("--keep", options.keep, "DIR",
+      "keep compiled peers there for the next time (not for other checkouts in the "
+      "same folders)");
   add("--peer-cxx", options.cxx, "COMMAND", "compiles what is no package (default: clang++)");
   add("--peer-cxxflags", options.cxxflags, "FLAGS", "its flags")->capture_default_str();
 }
