@@ -231,6 +231,9 @@ void set_options(Ipopt::IpoptApplication& app, const SolverOptions& options) {
   o.SetStringValue("mu_strategy", "adaptive");
   o.SetStringValue("nlp_scaling_method", "none");
   o.SetStringValue("fixed_variable_treatment", "make_parameter");
+  // Minimum degree: a tenth to a fifth of the time less than what MUMPS chooses by itself, in
+  // postures, motions and their warm starts alike.
+  o.SetIntegerValue("mumps_pivot_order", 0);
   if (!options.warm) return;
   o.SetStringValue("warm_start_init_point", "yes");
   for (const char* push :
