@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "support/random.h"
 
@@ -53,6 +55,14 @@ TEST(Angles, OfPacksAreOneByOne) {
   sincos_of(3, x, out);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(out[i][1], std::sin(0.1 * (i + 1)), 1e-15);
   EXPECT_EQ(out[3][0], 7);  // not asked for, not computed
+}
+
+/// Whatever this translation unit may use: others allocate what it computes on.
+TEST(Angles, PacksAreAlignedAsTheirVectors) {
+  static_assert(alignof(Pack<double, 2>) == 16 && alignof(Pack<double, 4>) == 32);
+  static_assert(alignof(Pack<double, 8>) == 64 && alignof(Pack<float, 16>) == 64);
+  const std::vector<Pack<double, 8>> heap(3);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(heap.data()) % 64, 0u);
 }
 
 TEST(Angles, NotFiniteStaysInItsPlace) {
