@@ -203,6 +203,7 @@ void HessianChain::lay_out(const LowerTriangle& triangle) {
                           bundles_[d.right].variables[d.pairs[0].second]);
   };
   std::vector<std::pair<int, int>> order;
+  order.reserve(drafts_.size());
   for (int k = 0; k < static_cast<int>(drafts_.size()); ++k)
     order.emplace_back(first_target(drafts_[k]), k);
   std::sort(order.begin(), order.end());
@@ -265,9 +266,9 @@ void HessianChain::contract(const Block& block, int first_entry, const double* s
       if (w == 0) continue;
       for (int b = 0; b < width; ++b) row[b] = row[b] + P(w) * right.C[k * width + b];
     }
-    const double* c = reinterpret_cast<const double*>(&left.C[i * left.width]);
+    const double* c = reinterpret_cast<const double*>(left.C.data() + i * left.width);
     for (int a = 0; a < m; ++a) {
-      P* const to = &s.product[a * width];
+      P* const to = s.product.data() + a * width;
       for (int b = 0; b < width; ++b) to[b] = to[b] + P(c[a]) * row[b];
     }
   }
