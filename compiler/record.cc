@@ -13,6 +13,8 @@
 namespace arboc {
 namespace {
 
+constexpr int kStates = 4;
+
 std::vector<double> values(const Eigen::VectorXd& x) { return {x.data(), x.data() + x.size()}; }
 
 Eigen::VectorXd vector(const Values& inputs, const char* name) {
@@ -42,19 +44,42 @@ std::vector<double> rounded(std::vector<double> values, double tolerance, double
   return rounded(std::move(values));
 }
 
+/// All outputs of all states are too many numbers: projections of them are recorded.
+bool large(const Signature& s) {
+  constexpr long kMost = 2000;
+  long entries = 0;
+  for (const Argument& a : s.outputs) entries += long{a.rows} * a.cols;
+  return entries * kStates > kMost;
+}
+
+/// The results of one function at one state, under its name and theirs.
+void record(const CompiledFunction& f, const Setup& setup, const Values& inputs,
+            Recording& recording) {
+  const bool projected = large(f.signature);
+  Values results =
+      (projected ? evaluate_projections : evaluate_reference)(f.request, setup, inputs);
+  double largest = 0;
+  for (const auto& [name, result] : results) largest = std::max(largest, largest_entry(result));
+  for (const Argument& output : f.signature.outputs) {
+    std::vector<double>& y = results[output.name];
+    if (!std::all_of(y.begin(), y.end(), [](double x) { return std::isfinite(x); }))
+      throw InputError(fmt::format(
+          "{}: error: {}: its values at ordinary states are not finite (check the units: m, kg, "
+          "kg m^2)",
+          printable(setup.model.file), f.signature.name));
+    const bool all = output.tolerance == kDifferencedTwice;
+    (projected ? recording.projections : recording.values)[f.signature.name + "." + output.name] =
+        rounded(y, output.tolerance, all ? largest : largest_entry(y));
+  }
+}
+
 }  // namespace
 
 void record(const Setup& setup, const std::vector<CompiledFunction>& functions,
             TargetModel& target) {
-  // The dense matrices of more states would make the file of a humanoid larger than its code, and
-  // differences of second order take a second a state.
-  const bool twice = std::any_of(functions.begin(), functions.end(), [](const CompiledFunction& f) {
-    return defined_as(f.request).derivative == Derivative::kHessian;
-  });
-  const int states = target.nv <= 20 ? 4 : twice ? 1 : 2;
   const Reference reference(setup.model);
   StateSource source(1), weights(2);
-  for (int s = 0; s < states; ++s) {
+  for (int s = 0; s < kStates; ++s) {
     Recording recording;
     Values& v = recording.values;
     v = source.inputs(setup);
@@ -67,21 +92,7 @@ void record(const Setup& setup, const std::vector<CompiledFunction>& functions,
       for (const Argument& input : f.signature.inputs)
         if (input.name == "lambda")
           v[f.signature.name + ".lambda"] = inputs["lambda"] = weights.vector(input.rows);
-      Values results = evaluate_reference(f.request, setup, inputs);
-      double largest = 0;
-      for (const auto& [name, result] : results) largest = std::max(largest, largest_entry(result));
-      for (const Argument& output : f.signature.outputs) {
-        std::vector<double>& y = results[output.name];
-        if (!std::all_of(y.begin(), y.end(), [](double x) { return std::isfinite(x); }))
-          throw InputError(
-              fmt::format("{}: error: {}: its values at ordinary states are not finite (check the "
-                          "units: m, kg, "
-                          "kg m^2)",
-                          printable(setup.model.file), f.signature.name));
-        const bool all = output.tolerance == kDifferencedTwice;
-        v[f.signature.name + "." + output.name] =
-            rounded(y, output.tolerance, all ? largest : largest_entry(y));
-      }
+      record(f, setup, inputs, recording);
     }
     target.recordings.push_back(std::move(recording));
   }

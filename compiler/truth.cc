@@ -1,219 +1,86 @@
 #include "truth.h"
 
-#include <cmath>
 #include <functional>
-#include <optional>
+#include <memory>
 
 #include "functions/derived_signature.h"
-#include "reference/differentiate.h"
-#include "truth_plain.h"
+#include "truth_derivatives.h"
 
 namespace arboc {
 namespace {
 
 using truth::Arguments;
 using truth::by_rows;
+using truth::Derivatives;
 using truth::moved;
 using truth::plain;
-using truth::Plain;
+using truth::Weight;
 
-/// What the entries of an output are multiplied with before they are added.
-struct Weight {
-  std::function<Eigen::VectorXd(const Arguments<Complex>&)> at;
-  bool constant = true;
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+
+/// The truth of an output, and l^T times it times r, which may be had without it.
+struct Result {
+  std::function<Matrix()> whole;
+  std::function<double(const Vector& l, const Vector& r)> projection;
 };
+using Results = std::map<std::string, Result>;
 
-/// Derivatives of one output.
-class Derivatives {
- public:
-  Derivatives(const Setup& setup, std::string function, std::string output,
-              const Arguments<double>& in)
-      : setup_(setup),
-        function_(std::move(function)),
-        output_(std::move(output)),
-        at_(setup.model) {
-    for (const auto& [name, x] : in) in_[name] = x.cast<Complex>();
-    if (setup.parameters.empty()) engine_.emplace(setup, setup.model);
-  }
-
-  int size(const std::string& input) const {
-    return input == "q" || input == "q1" ? setup_.nv : static_cast<int>(in_.at(input).size());
-  }
-  Eigen::VectorXd value() const { return evaluate(in_).at(output_).real(); }
-
-  /// Entries of the output x size(input).
-  Eigen::MatrixXd jacobian(const std::string& input) const { return jacobian(in_, input); }
-
-  /// Entry (j, k): along j of x, then along k of y, of weight^T output.
-  Eigen::MatrixXd hessian(const std::string& x, const std::string& y, const Weight& weight,
-                          bool symmetric) const {
-    const int n = size(x), m = size(y);
-    Eigen::MatrixXd H(n, m);
-    const bool exact = weight.constant && quadratic(y);
-    const double h = exact ? 1 : step(y);
-    for (int k = 0; k < m; ++k) {
-      const auto slopes = [&](int times) -> Eigen::VectorXd {
-        const VectorOf<Complex> outer = VectorOf<Complex>::Unit(m, k) * Complex(times * h);
-        if (symmetric && x == y) return along_with(x, outer, k + 1, weight);
-        const Arguments<Complex> there = moved(at_, in_, y, outer);
-        return jacobian(there, x).transpose() * weight.at(there);
-      };
-      if (exact)
-        H.col(k) = (slopes(1) - slopes(-1)) / 2;
-      else
-        H.col(k) = (45 * (slopes(1) - slopes(-1)) - 9 * (slopes(2) - slopes(-2)) +
-                    (slopes(3) - slopes(-3))) /
-                   (60 * h);
-    }
-    if (symmetric && x == y) H.triangularView<Eigen::StrictlyLower>() = H.transpose();
-    return H;
-  }
-  const Arguments<Complex>& inputs() const { return in_; }
-  Eigen::VectorXd value(const Arguments<Complex>& in) const {
-    return evaluate(in).at(output_).real();
-  }
-
- private:
-  Arguments<Complex> evaluate(const Arguments<Complex>& in) const {
-    return engine_ ? (*engine_)(function_, in) : plain(function_, setup_, in);
-  }
-  bool analytic(const std::string& input) const {
-    if (input == "f_ext") return false;
-    for (const Parameter& p : setup_.parameters)
-      if (input == p.name) return false;
-    return true;
-  }
-  /// The output, and its derivatives by other inputs, are polynomials of degree two at most in this
-  /// input, so that a central difference of any length is exact.
-  bool quadratic(const std::string& input) const {
-    if (function_ == "integrate" || function_ == "difference") return false;
-    return input == "a" || input == "tau" || (input == "v" && !setup_.joint_forces.friction);
-  }
-  /// Results are linear in wrenches and gravity: a long step leaves the least noise.
-  double step(const std::string& input) const {
-    if (input == "f_ext" || input == "gravity") return 1;
-    return analytic(input) ? complex_step::difference_step(at_) : 1e-3;
-  }
-
-  Eigen::MatrixXd jacobian(const Arguments<Complex>& in, const std::string& input) const {
-    const int n = size(input);
-    Eigen::MatrixXd J;
-    for (int j = 0; j < n; ++j) {
-      const Eigen::VectorXd column = derivative(in, input, VectorOf<Complex>::Unit(n, j));
-      if (j == 0) J.resize(column.size(), n);
-      J.col(j) = column;
-    }
-    return J;
-  }
-
-  Eigen::VectorXd derivative(const Arguments<Complex>& in, const std::string& input,
-                             const VectorOf<Complex>& direction) const {
-    if (analytic(input)) {
-      const VectorOf<Complex> inner = direction * Complex(0, complex_step::kStep);
-      return evaluate(moved(at_, in, input, inner)).at(output_).imag() / complex_step::kStep;
-    }
-    const double h = step(input);
-    const auto f = [&](int times) -> Eigen::VectorXd {
-      return value(moved<Complex>(at_, in, input, direction * Complex(times * h)));
-    };
-    return (45 * (f(1) - f(-1)) - 9 * (f(2) - f(-2)) + (f(3) - f(-3))) / (60 * h);
-  }
-
-  /// The first n entries of the gradient with respect to d of weight^T f(x (+) d) at d = outer.
-  Eigen::VectorXd along_with(const std::string& x, const VectorOf<Complex>& outer, int n,
-                             const Weight& weight) const {
-    const Eigen::Index all = outer.size();
-    const Eigen::VectorXd w = weight.at(moved(at_, in_, x, outer));
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(all);
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const VectorOf<Complex> unit = VectorOf<Complex>::Unit(all, j);
-      if (!analytic(x)) {
-        result[j] = w.dot(derivative(moved(at_, in_, x, outer), x, unit));
-        continue;
-      }
-      const VectorOf<Complex> both = outer + unit * Complex(0, complex_step::kStep);
-      result[j] = w.dot(Eigen::VectorXd(evaluate(moved(at_, in_, x, both)).at(output_).imag() /
-                                        complex_step::kStep));
-    }
-    return result;
-  }
-
-  const Setup& setup_;
-  std::string function_, output_;
-  Arguments<Complex> in_;
-  ComplexReference at_;                   ///< for its manifold
-  std::optional<Plain<Complex>> engine_;  ///< where no parameter changes it
-};
-
-std::vector<double> list(const Eigen::VectorXd& x) { return {x.begin(), x.end()}; }
-
-/// An output of one of the functions *_derivatives.
-Eigen::VectorXd value_of_derivative(const Request& request, const Setup& setup,
-                                    const Arguments<double>& in) {
-  Values inputs;
-  for (const auto& [name, x] : in) inputs[name] = list(x);
-  const Values outputs = evaluate_reference(Request{request.function}, setup, inputs);
-  const std::vector<double>& y = outputs.at(request.output);
-  return Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
+Result known(const Matrix& Y) {
+  return {[Y] { return Y; }, [Y](const Vector& l, const Vector& r) { return l.dot(Y * r); }};
+}
+Result known_by_rows(const Vector& y, const Argument& a) {
+  return known(Eigen::Map<const Matrix>(y.data(), a.cols, a.rows).transpose());
 }
 
-/// Its Jacobian: differences of complex steps.
-Eigen::MatrixXd jacobian_of_derivative(const Request& request, const Setup& setup,
-                                       const Arguments<double>& in, const std::string& with) {
-  const Reference reference(setup.model);
-  const auto value = [&](const Arguments<double>& at) {
-    return value_of_derivative(request, setup, at);
-  };
-  const bool on_manifold = with == "q" || with == "q1";
-  const Eigen::Index n = on_manifold ? setup.nv : in.at(with).size();
-  const double h = complex_step::difference_step(ComplexReference(setup.model));
-  Eigen::MatrixXd J;
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const auto odd = [&](int m) -> Eigen::VectorXd {
-      const Eigen::VectorXd step = m * h * Eigen::VectorXd::Unit(n, j);
-      return value(moved<double>(reference, in, with, step)) -
-             value(moved<double>(reference, in, with, -step));
-    };
-    const Eigen::VectorXd column = (45 * odd(1) - 9 * odd(2) + odd(3)) / (60 * h);
-    if (j == 0) J.resize(column.size(), n);
-    J.col(j) = column;
-  }
-  return J;
+Result jacobian(const std::shared_ptr<Derivatives>& of, const std::string& with) {
+  return {[=] { return of->jacobian(with); },
+          [=](const Vector& l, const Vector& r) { return l.dot(of->along(with, r)); }};
 }
 
-Values derived(const Request& request, const Signature& s, const Setup& setup,
-               const Arguments<double>& in) {
-  const Derivatives of(setup, request.function, request.output, in);
+Result gradient(const std::shared_ptr<Derivatives>& of, const std::string& with,
+                const Weight& weight) {
+  return {[=]() -> Matrix { return of->jacobian(with).transpose() * weight.at(of->inputs()); },
+          [=](const Vector& l, const Vector& r) {
+            return r[0] * weight.at(of->inputs()).dot(of->along(with, l));
+          }};
+}
+
+Result hessian(const std::shared_ptr<Derivatives>& of, const std::string& x, const std::string& y,
+               const Weight& weight, bool symmetric) {
+  return {
+      [=] { return of->hessian(x, y, weight, symmetric); },
+      [=](const Vector& l, const Vector& r) { return of->second(x, l, y, r, weight, symmetric); }};
+}
+
+Results derived(const Request& request, const Signature& s, const Setup& setup,
+                const Arguments<double>& in) {
+  const auto of = std::make_shared<Derivatives>(setup, request.function, request.output, in);
   Request base;
   base.function = request.function;
   const std::vector<std::string> with = derived_inputs(request, signature(base, setup));
   const auto lambda = in.find("lambda");
-  const bool twice = request.function.ends_with("_derivatives");
-  const Weight weight{[&](const Arguments<Complex>& at) -> Eigen::VectorXd {
-                        if (request.squares)
-                          return 2 *
-                                 (twice ? value_of_derivative(request, setup, in) : of.value(at));
-                        if (lambda != in.end() && lambda->second.size() > 0) return lambda->second;
-                        return Eigen::VectorXd::Ones(1);
+  Vector constant = Vector::Ones(1);
+  if (lambda != in.end() && lambda->second.size() > 0) constant = lambda->second;
+  const bool squares = request.squares;
+  const Weight weight{[=](const Arguments<Complex>& at) -> Vector {
+                        return squares ? Vector(2 * of->value(at)) : constant;
                       },
-                      !request.squares};
-  Values values;
+                      !squares};
+  Results results;
   if (request.derivative != Derivative::kHessian) {
-    for (size_t k = 0; k < with.size(); ++k) {
-      const Eigen::MatrixXd J =
-          twice ? jacobian_of_derivative(request, setup, in, with[k]) : of.jacobian(with[k]);
-      values[s.outputs[k].name] = request.derivative == Derivative::kJacobian
-                                      ? list(by_rows<double>(J))
-                                      : list(J.transpose() * weight.at(of.inputs()));
-    }
-    return values;
+    for (size_t k = 0; k < with.size(); ++k)
+      results[s.outputs[k].name] = request.derivative == Derivative::kJacobian
+                                       ? jacobian(of, with[k])
+                                       : gradient(of, with[k], weight);
+    return results;
   }
   for (const Argument& output : s.outputs)
     for (const std::string& x : with)
       for (const std::string& y : with)
         if (output.name == "H_" + x + y)
-          values[output.name] = list(by_rows<double>(of.hessian(x, y, weight, !setup.iterated)));
-  return values;
+          results[output.name] = hessian(of, x, y, weight, !setup.iterated);
+  return results;
 }
 
 /// Catalogue functions of several derivatives: what of, and by what.
@@ -245,36 +112,81 @@ Eigen::MatrixXd integrate_derivative(const Setup& setup, const Arguments<double>
   return J;
 }
 
+Results results_of(const Request& request, const Signature& s, const Setup& setup,
+                   const Arguments<double>& in) {
+  const Request definition = defined_as(request);
+  if (definition.derivative != Derivative::kNone) return derived(definition, s, setup, in);
+  const std::string& function = request.function;
+  Results results;
+  if (function == "integrate_derivatives") {
+    results["dq_next_dq"] = known(integrate_derivative(setup, in, "q"));
+    results["dq_next_dv"] = known(integrate_derivative(setup, in, "v"));
+    return results;
+  }
+  const bool derivatives = function.ends_with("_derivatives");
+  const Arguments<double> values = derivatives ? Arguments<double>() : plain(function, setup, in);
+  for (const Argument& output : s.outputs) {
+    const auto by_name = values.find(output.name);
+    if (by_name != values.end()) results[output.name] = known_by_rows(by_name->second, output);
+    for (const Part& part : kParts)
+      if (derivatives && output.name == part.output)
+        results[output.name] =
+            jacobian(std::make_shared<Derivatives>(setup, part.function, part.of, in), part.with);
+    for (const auto& [name, of] : {std::pair{"M", "crba"}, {"Minv", "minv"}})
+      if (derivatives && output.name == name)
+        results[output.name] = known_by_rows(plain(of, setup, in).at(name), output);
+  }
+  return results;
+}
+
+Arguments<double> inputs_of(const Signature& s, const Values& inputs) {
+  Arguments<double> in;
+  for (const Argument& a : s.inputs) {
+    const auto& x = inputs.at(a.name);
+    in[a.name] = Eigen::Map<const Vector>(x.data(), static_cast<Eigen::Index>(x.size()));
+  }
+  return in;
+}
+
+/// Within +-1, of size 1/2 at least: what NAME_selftest.cpp has.  A step of splitmix64.
+double weight(std::uint64_t projection, std::uint64_t side, std::uint64_t i) {
+  std::uint64_t z = (2 * (kProjections * i + projection) + side + 1) * 0x9E3779B97F4A7C15u;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+  z ^= z >> 31;
+  const double size = 0.5 + static_cast<double>(z >> 11) * 0x1p-54;
+  return z & 1 ? size : -size;
+}
+
+Vector weights(std::uint64_t projection, std::uint64_t side, Eigen::Index n) {
+  Vector w(n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    w[i] = weight(projection, side, static_cast<std::uint64_t>(i));
+  return w;
+}
+
 }  // namespace
 
 Values evaluate_reference(const Request& request, const Setup& setup, const Values& inputs) {
   const Signature s = signature(request, setup);
-  Arguments<double> in;
-  for (const Argument& a : s.inputs) {
-    const auto& x = inputs.at(a.name);
-    in[a.name] = Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
-  }
-  const Request definition = defined_as(request);
-  if (definition.derivative != Derivative::kNone) return derived(definition, s, setup, in);
-  const std::string& function = request.function;
   Values values;
-  if (function == "integrate_derivatives") {
-    values["dq_next_dq"] = list(by_rows<double>(integrate_derivative(setup, in, "q")));
-    values["dq_next_dv"] = list(by_rows<double>(integrate_derivative(setup, in, "v")));
-    return values;
+  for (const auto& [name, result] : results_of(request, s, setup, inputs_of(s, inputs))) {
+    const Vector y = by_rows<double>(result.whole());
+    values[name] = {y.begin(), y.end()};
   }
-  if (!function.ends_with("_derivatives")) {
-    for (const auto& [name, x] : plain(function, setup, in)) values[name] = list(x);
-    return values;
-  }
-  for (const Argument& output : s.outputs) {
-    for (const Part& part : kParts)
-      if (output.name == part.output)
-        values[output.name] = list(
-            by_rows<double>(Derivatives(setup, part.function, part.of, in).jacobian(part.with)));
-    if (output.name == "M") values["M"] = list(plain("crba", setup, in).at("M"));
-    if (output.name == "Minv") values["Minv"] = list(plain("minv", setup, in).at("Minv"));
-  }
+  return values;
+}
+
+Values evaluate_projections(const Request& request, const Setup& setup, const Values& inputs) {
+  const Signature s = signature(request, setup);
+  const Results results = results_of(request, s, setup, inputs_of(s, inputs));
+  Values values;
+  for (const Argument& output : s.outputs)
+    for (std::uint64_t k = 0; k < kProjections; ++k)
+      values[output.name].push_back(
+          results.at(output.name)
+              .projection(weights(k, 0, output.rows),
+                          weights(k, output.symmetric ? 0 : 1, output.cols)));
   return values;
 }
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <set>
 
 #include "base/number.h"
@@ -45,51 +44,17 @@ std::string table(const std::string& name, const std::vector<std::vector<double>
   return out + "};\n";
 }
 
-/// The weight of entry i in sum k, within +-1; NAME_selftest.cpp has the same.  A step of
-/// splitmix64.
-double weight(std::uint64_t k, std::uint64_t i) {
-  std::uint64_t z = (2 * i + k + 1) * 0x9E3779B97F4A7C15u;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-  return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;
-}
-
-/// Two weighted sums of the entries, which depend on each of them, over the root of their number,
-/// and the largest entry; twelve digits of the latter.
-std::vector<double> sums(const std::vector<double>& values) {
-  double sum[2] = {0, 0}, largest = 0;
-  for (size_t i = 0; i < values.size(); ++i) {
-    for (std::uint64_t k = 0; k < 2; ++k) sum[k] += weight(k, i) * values[i];
-    largest = std::max(largest, std::fabs(values[i]));
-  }
-  const double root = std::sqrt(static_cast<double>(values.size()));
-  std::vector<double> result{sum[0] / root, sum[1] / root, largest};
-  int decimals = 12;
-  for (double unit = 1; unit < largest && decimals > 0; unit *= 10) --decimals;
-  for (double& x : result) x = parse_finite(fmt::format("{:.{}f}", x, decimals)).value_or(x) + 0.0;
-  return result;
-}
-
-/// All outputs of all states are too many numbers: sums of them are recorded.
-bool summed(const TargetModel& model, const TargetFunction& f) {
-  constexpr size_t kMost = 2000;
-  size_t entries = 0;
-  for (const Argument& a : f.signature.outputs)
-    entries += static_cast<size_t>(a.rows) * static_cast<size_t>(a.cols);
-  return entries * model.recordings.size() > kMost;
+/// What is recorded under a key in a state.
+const std::vector<double>& recorded(const Recording& state, const std::string& key) {
+  const auto projections = state.projections.find(key);
+  return projections != state.projections.end() ? projections->second : state.values.at(key);
 }
 
 std::string recordings(const TargetModel& model, const std::set<std::string>& needed) {
-  std::set<std::string> to_sum;
-  for (const TargetFunction& f : model.functions)
-    for (const Argument& a : f.signature.outputs)
-      if (summed(model, f)) to_sum.insert(f.signature.name + "." + a.name);
   std::string out;
-  for (const auto& [key, first] : model.recordings.front().values) {
-    if (!needed.contains(key)) continue;
+  for (const std::string& key : needed) {
     std::vector<std::vector<double>> states;
-    for (const Recording& state : model.recordings)
-      states.push_back(to_sum.contains(key) ? sums(state.values.at(key)) : state.values.at(key));
+    for (const Recording& state : model.recordings) states.push_back(recorded(state, key));
     out += table(cpp_name(key), states);
   }
   return out;
@@ -120,29 +85,34 @@ std::string compare(const TargetModel& model, const TargetFunction& f, size_t k)
         "    std::vector<double> {}({});\n    {}::raw::scatter_{}_{}(out{}.data(), {}.data());\n",
         dense, a.rows * a.cols, model.name, f.signature.name, a.name, k, dense);
   }
-  return out + fmt::format("    worst({0}_error, {1}({2}, {0}[s]));\n", name,
-                           summed(model, f) ? "error_of_sums" : "relative_error", dense);
+  if (!model.recordings.front().projections.contains(f.signature.name + "." + a.name))
+    return out + fmt::format("    worst({0}_error, relative_error({1}, {0}[s]));\n", name, dense);
+  const int side = a.symmetric ? 0 : 1;
+  return out + fmt::format("    worst({0}_error, error_of_projections({1}, {2}, {3}, {0}[s]));\n",
+                           name, dense, a.cols, side);
 }
 
-double largest(const TargetModel& model, const std::string& key) {
+double largest(const Recording& state, const std::string& key) {
   double result = 0;
-  for (const Recording& state : model.recordings)
-    for (const double x : state.values.at(key)) result = std::max(result, std::fabs(x));
+  for (const double x : recorded(state, key)) result = std::max(result, std::fabs(x));
   return result;
 }
 
-/// Of output k relative to its largest entry: recordings have twelve digits, and where they are
-/// known to a part of the largest entry of all outputs only, that much.
+/// Of output k relative to its largest number: recordings have twelve digits, and where they are
+/// known to a part of the largest number of all outputs only, that much.
 std::string tolerance(const TargetModel& model, const TargetFunction& f, size_t k) {
   const Signature& s = f.signature;
   // Forward dynamics divides by the mass matrix: its condition number enters.
   if (!s.positive.empty()) return literal(std::max(1e-7, s.outputs[k].tolerance));
   if (s.outputs[k].tolerance < kDifferencedTwice)
     return literal(std::max(1e-11, s.outputs[k].tolerance));
-  double all = 0;
-  for (const Argument& a : s.outputs) all = std::max(all, largest(model, s.name + "." + a.name));
-  const double own = std::max(1e-9, largest(model, s.name + "." + s.outputs[k].name));
-  return fmt::format("{:.0e}", kDifferencedTwice * std::max(1.0, all / own));
+  double ratio = 1;
+  for (const Recording& state : model.recordings) {
+    double all = 0;
+    for (const Argument& a : s.outputs) all = std::max(all, largest(state, s.name + "." + a.name));
+    ratio = std::max(ratio, all / std::max(1e-9, largest(state, s.name + "." + s.outputs[k].name)));
+  }
+  return fmt::format("{:.0e}", kDifferencedTwice * ratio);
 }
 
 std::string check(const TargetModel& model, const TargetFunction& f,

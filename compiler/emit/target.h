@@ -91,6 +91,9 @@ using Files = std::map<std::string, std::string>;
 /// before and after it on its motion ("q-", "q+", a step of `step` s away).
 struct Recording {
   std::map<std::string, std::vector<double>> values;
+  /// Of results that are too large l^T Y r for some weights l and r of rows and columns, the same
+  /// as in NAME_selftest.cpp.
+  std::map<std::string, std::vector<double>> projections;
 };
 
 struct Table {

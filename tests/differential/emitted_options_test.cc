@@ -1,5 +1,6 @@
 // Emitted folders with every option of the functions: built by their own CMakeLists.txt, tested by
 // their own selftest, and used through Eigen against `arboc eval`.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -64,30 +65,84 @@ TEST(EmittedOptions, AllFunctionsPassTheirSelftest) {
   expect_selftest_names(folder / "build/all_joints_selftest", functions);
 }
 
-/// What is too much for a selftest is recorded as weighted sums, which notice a wrong entry.
-TEST(EmittedOptions, SelftestsOfLargeOutputsAreSmallAndCanFail) {
-  const TempDir folder;
-  ASSERT_NO_FATAL_FAILURE(
-      emit(folder, "quadruped", {"--base", "floating", "--functions", "frame_jacobian"}));
-  const std::string test = folder / "quadruped/quadruped_selftest.cpp";
-  const std::string text = read_text(test);
-  EXPECT_LT(text.size(), 10000u);
-  EXPECT_NE(text.find("error_of_sums(dense0, frame_jacobian_J[s])"), std::string::npos);
-  const auto run = [&] {
-    EXPECT_EQ(run_program({"c++", "-std=c++17", "-O0", "-I", folder / "quadruped", test,
-                           folder / "quadruped/quadruped_frame_jacobian_double.cpp", "-o",
-                           folder / "selftest"})
-                  .status,
-              0);
-    return run_program({folder / "selftest"}).status;
-  };
-  EXPECT_EQ(run(), 0);
-  // One entry, off by a part in a thousand of the largest.
-  std::string wrong = text;
-  const std::string after = "    worst(frame_jacobian_J_error";
-  wrong.insert(wrong.find(after), "    dense0[1000] += 1e-3;\n");
-  write_text(test, wrong);
-  EXPECT_EQ(run(), 1);
+/// What is too much for a selftest is recorded as projections; they notice any wrong entry.
+class SelftestOfProjections : public testing::Test {
+ protected:
+  void SetUp() override {
+    emit(folder_, "quadruped",
+         {"--base", "floating", "--functions", "frame_jacobian", "--jacobian", "rnea.tau:q,f_ext",
+          "--hessian", "rnea.tau:q,v", "--external-forces", "trunk,left_front_foot"});
+    text_ = read_text(test_);
+  }
+
+  /// Compiles all functions with the text of a selftest; its exit status.
+  int run(const std::string& text) const {
+    write_text(test_, text);
+    Command command{"c++", "-std=c++17", "-O0", "-I", folder_ / "quadruped",
+                    "-o",  selftest_,    test_};
+    for (const char* f : {"frame_jacobian", "rnea_tau_jacobian_q_f_ext", "rnea_tau_hessian_q_v"})
+      command.push_back(folder_ / "quadruped/quadruped_" + f + "_double.cpp");
+    EXPECT_EQ(run_program(command).status, 0);
+    return run_program({selftest_}).status;
+  }
+
+  /// Output k of a function is compared once more for each entry of it, of which that one is off by
+  /// a millionth of the largest; what is not noticed is a failure.
+  static void plant(std::string& text, const std::string& name, int k, double tolerance) {
+    const std::string head = fmt::format("    worst({}_error, ", name);
+    const size_t at = text.find(head), end = text.find(");\n", at);
+    ASSERT_NE(end, std::string::npos) << text;
+    const std::string error = text.substr(at + head.size(), end - at - head.size());
+    EXPECT_EQ(error.find("error_of_projections(dense"), 0u) << error;
+    text.insert(at,
+                fmt::format("    double largest{0} = 0;\n"
+                            "    for (const double x : out{0}) worst(largest{0}, std::fabs(x));\n"
+                            "    if (largest{0} == 0) ++failures;\n"
+                            "    for (double& entry : out{0}) {{\n"
+                            "      const double right = entry;\n"
+                            "      entry += 1e-6 * largest{0};\n"
+                            "      quadruped::raw::scatter_{1}(out{0}.data(), dense{0}.data());\n"
+                            "      if (!({2} > {3})) ++failures;\n"
+                            "      entry = right;\n"
+                            "    }}\n"
+                            "    quadruped::raw::scatter_{1}(out{0}.data(), dense{0}.data());\n",
+                            k, name, error, tolerance));
+  }
+
+  const TempDir folder_;
+  const std::string test_ = folder_ / "quadruped/quadruped_selftest.cpp";
+  const std::string selftest_ = folder_ / "selftest";
+  std::string text_;
+};
+
+TEST_F(SelftestOfProjections, IsSmallAndNoticesEveryEntry) {
+  EXPECT_LT(text_.size(), 20000u);
+  EXPECT_NE(text_.find("rnea_tau_hessian_q_v_H_qq_error, 1e-09"), std::string::npos);
+  EXPECT_NE(text_.find("rnea_tau_jacobian_q_f_ext_dtau_dq_error, 1e-11"), std::string::npos);
+  std::string planted = text_;
+  plant(planted, "frame_jacobian_J", 0, 1e-11);
+  plant(planted, "rnea_tau_jacobian_q_f_ext_dtau_dq", 0, 1e-11);
+  plant(planted, "rnea_tau_jacobian_q_f_ext_dtau_df_ext", 1, 1e-11);
+  plant(planted, "rnea_tau_hessian_q_v_H_qq", 0, 1e-9);
+  plant(planted, "rnea_tau_hessian_q_v_H_qv", 1, 1e-9);
+  plant(planted, "rnea_tau_hessian_q_v_H_vv", 2, 1e-9);
+  EXPECT_EQ(run(planted), 0);
+}
+
+/// One entry of the functions' text.
+TEST_F(SelftestOfProjections, FailsWhereOneStatementIsWrong) {
+  for (const char* wrong :
+       {"rnea_tau_jacobian_q_f_ext.hpp dtau_dq[20] = ", "rnea_tau_hessian_q_v.hpp H_qq[30] = "}) {
+    const std::string all = wrong;
+    const size_t space = all.find(' ');
+    const std::string file = folder_ / "quadruped/quadruped_" + all.substr(0, space);
+    const std::string right = read_text(file), entry = all.substr(space);
+    const size_t at = right.find(entry);
+    ASSERT_NE(at, std::string::npos) << right;
+    write_text(file, std::string(right).insert(at + entry.size(), "T(1e-4) + "));
+    EXPECT_EQ(run(text_), 1) << wrong;
+    write_text(file, right);
+  }
 }
 
 class EmittedOptionsEigen : public testing::Test {
