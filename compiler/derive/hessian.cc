@@ -58,34 +58,63 @@ class Chooser {
       at += block.size();
     }
     mean_ = builder.constant(0.5);
+    for (size_t p = 0; p < pairs.size(); ++p) list(p);
   }
 
   std::vector<SparseMatrix> run() {
-    std::vector<SparseMatrix> best;
+    Ways best;
     int lowest = 0;
-    for (char first = 0; first < kWays; ++first) {
-      way_.assign(3 * pairs_.size(), first);
-      const int cost = descend();
+    for (size_t first = 0; first < kWays; ++first) {
+      Ways ways;
+      for (const Decision& d : decisions_) ways.push_back(d.same_as[first]);
+      const int cost = descend(ways);
       if (first > 0 && cost >= lowest) continue;
       lowest = cost;
-      best = build();
+      best = ways;
     }
-    return best;
+    return build(best);
   }
 
  private:
-  static constexpr char kWays = 4;  ///< table, then order
+  static constexpr size_t kWays = 4;  ///< table, then order
+  /// Of the positions in two blocks: before, same, behind.
+  static constexpr size_t kRelations = 3;
+  using Ways = std::vector<size_t>;  ///< one a decision
+
+  /// How the entries of a pair are had whose positions have one relation.
+  struct Decision {
+    std::array<std::vector<Ref>, kWays> entries;  ///< those that are not zero
+    std::array<size_t, kWays> same_as{};          ///< the first way with the same entries
+  };
+
+  /// Adds the decisions about a pair.
+  void list(size_t p) {
+    const size_t first = decisions_.size();
+    decisions_.resize(first + kRelations);
+    for (size_t way = 0; way < kWays; ++way)
+      each(p, [&](size_t i, size_t j) {
+        const Ref x = entry(p, i, j, way);
+        if (!is_zero(builder_, x)) decisions_[first + relation(i, j)].entries[way].push_back(x);
+      });
+    for (size_t r = 0; r < kRelations; ++r) {
+      Decision& d = decisions_[first + r];
+      for (size_t way = 0; way < kWays; ++way)
+        while (d.entries[d.same_as[way]] != d.entries[way]) ++d.same_as[way];
+    }
+  }
 
   /// Changes decisions one by one as long as operations get fewer; their number.
-  int descend() {
-    int cost = cost_of(build());
+  int descend(Ways& ways) const {
+    int cost = cost_of(ways);
     for (bool better = true; better;) {
       better = false;
-      for (char& way : way_) {
-        const char before = way;
-        char best = before;
+      for (size_t d = 0; d < ways.size(); ++d) {
+        size_t& way = ways[d];
+        const size_t before = way;
+        size_t best = before;
         for (way = 0; way < kWays; ++way) {
-          const int other = way == before ? cost : cost_of(build());
+          if (way == before || decisions_[d].same_as[way] != way) continue;
+          const int other = cost_of(ways);
           if (other >= cost) continue;
           cost = other;
           best = way;
@@ -97,49 +126,57 @@ class Chooser {
     return cost;
   }
 
-  std::vector<SparseMatrix> build() {
+  int cost_of(const Ways& ways) const {
+    std::vector<Ref> roots;
+    for (size_t d = 0; d < ways.size(); ++d) {
+      const std::vector<Ref>& entries = decisions_[d].entries[ways[d]];
+      roots.insert(roots.end(), entries.begin(), entries.end());
+    }
+    return estimated_cost(builder_.region(), roots);
+  }
+
+  std::vector<SparseMatrix> build(const Ways& ways) {
     std::vector<SparseMatrix> parts;
-    for (size_t p = 0; p < pairs_.size(); ++p) parts.push_back(part(p));
+    for (size_t p = 0; p < pairs_.size(); ++p) {
+      SparseMatrix& part = parts.emplace_back();
+      part.rows = static_cast<int>(blocks_[pairs_[p].row].size());
+      part.cols = static_cast<int>(blocks_[pairs_[p].col].size());
+      each(p, [&](size_t i, size_t j) {
+        const Ref x = entry(p, i, j, ways[kRelations * p + relation(i, j)]);
+        if (!is_zero(builder_, x)) part.push(static_cast<int>(i), static_cast<int>(j), x);
+      });
+    }
     return parts;
   }
 
-  SparseMatrix part(size_t p) {
+  static size_t relation(size_t i, size_t j) { return i < j ? 0 : i == j ? 1 : 2; }
+
+  /// Calls visit(i, j) for the positions of a part that are written.
+  template <class Visit>
+  void each(size_t p, const Visit& visit) const {
     const BlockPair pair = pairs_[p];
     const size_t rows = blocks_[pair.row].size(), cols = blocks_[pair.col].size();
-    SparseMatrix result{static_cast<int>(rows), static_cast<int>(cols), {}, {}, {}};
-    for (size_t j = 0; j < cols; ++j) {
-      for (size_t i = 0; i < (pair.row == pair.col ? j + 1 : rows); ++i) {
-        const Ref x = entry(p, i, j);
-        if (!is_zero(builder_, x)) result.push(static_cast<int>(i), static_cast<int>(j), x);
-      }
-    }
-    return result;
+    for (size_t j = 0; j < cols; ++j)
+      for (size_t i = 0; i < (pair.row == pair.col ? j + 1 : rows); ++i) visit(i, j);
   }
 
-  Ref entry(size_t p, size_t i, size_t j) {
+  Ref entry(size_t p, size_t i, size_t j, size_t way) {
     const BlockPair pair = pairs_[p];
     const size_t row = first_[pair.row] + i, col = first_[pair.col] + j;
     const int group = blocks_[pair.row][i].group;
-    const char way = way_[3 * p + (i < j ? 0 : i == j ? 1 : 2)];
-    const Table& table = tables_[static_cast<size_t>(way / 2)];
+    const Table& table = tables_[way / 2];
     const Ref one = table(row, col), other = table(col, row);
     if (row != col && group >= 0 && group == blocks_[pair.col][j].group)
       return builder_.mul(mean_, builder_.add(one, other));
     return way % 2 == 0 ? one : other;
   }
 
-  int cost_of(const std::vector<SparseMatrix>& parts) const {
-    std::vector<Ref> roots;
-    for (const SparseMatrix& m : parts) roots.insert(roots.end(), m.value.begin(), m.value.end());
-    return estimated_cost(builder_.region(), roots);
-  }
-
   Builder& builder_;
   const std::array<Table, 2>& tables_;
   const std::vector<CoordinateBlock>& blocks_;
   const std::vector<BlockPair>& pairs_;
-  std::vector<size_t> first_;  ///< of each block's coordinates in the table
-  std::vector<char> way_;      ///< three decisions a pair
+  std::vector<size_t> first_;        ///< of each block's coordinates in the table
+  std::vector<Decision> decisions_;  ///< one a relation of each pair
   Ref mean_;
 };
 

@@ -12,12 +12,8 @@
 namespace arboc {
 namespace {
 
-struct OpInfo {
-  const char* text;
-  int operands;
-};
-constexpr OpInfo kOps[] = {
-#define ARBOC_OP(name, text, operands) {text, operands},
+constexpr const char* kSpellings[] = {
+#define ARBOC_OP(name, text, operands) text,
     ARBOC_OPS(ARBOC_OP)
 #undef ARBOC_OP
 };
@@ -129,8 +125,7 @@ Lanes Region::lanes(Ref ref) const {
   return lanes;
 }
 
-int operand_count(Op op) { return kOps[static_cast<size_t>(op)].operands; }
-const char* spelling(Op op) { return kOps[static_cast<size_t>(op)].text; }
+const char* spelling(Op op) { return kSpellings[static_cast<size_t>(op)]; }
 
 void verify(const Graph& graph) {
   if (graph.regions.empty()) throw std::logic_error("graph without a region");

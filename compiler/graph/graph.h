@@ -20,6 +20,7 @@
 //
 //   x4 = pack(q0, q1)   x5 = [0.5|-2] * x4   x6 = lane1(x5)   x7 = hsum2(x5)
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -57,7 +58,14 @@ enum class Op : std::uint8_t {
 };
 
 /// How many of Node::a, Node::b are references.
-int operand_count(Op op);
+inline int operand_count(Op op) {
+  constexpr int kOperands[] = {
+#define ARBOC_OP(name, text, operands) operands,
+      ARBOC_OPS(ARBOC_OP)
+#undef ARBOC_OP
+  };
+  return kOperands[static_cast<std::size_t>(op)];
+}
 /// The printed spelling.
 const char* spelling(Op op);
 
