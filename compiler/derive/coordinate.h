@@ -54,6 +54,14 @@ struct SparseMatrix {
     col.push_back(j);
     value.push_back(x);
   }
+  /// Rows r0 to r1 and columns c0 to c1, the ends not included.
+  SparseMatrix part(int r0, int r1, int c0, int c1) const {
+    SparseMatrix out{r1 - r0, c1 - c0, {}, {}, {}};
+    for (size_t k = 0; k < value.size(); ++k)
+      if (r0 <= row[k] && row[k] < r1 && c0 <= col[k] && col[k] < c1)
+        out.push(row[k] - r0, col[k] - c0, value[k]);
+    return out;
+  }
 };
 
 }  // namespace arboc

@@ -1,15 +1,13 @@
 #include "functions/trace.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "base/diagnostic.h"
 #include "derive/coordinate.h"
+#include "derive/cost.h"
 #include "derive/hessian.h"
 #include "derive/jacobian.h"
 #include "derive/reverse.h"
 #include "functions/derived_signature.h"
+#include "functions/recursion.h"
+#include "functions/refuse.h"
 #include "functions/run.h"
 #include "functions/symbolic_tree.h"
 #include "functions/tangent.h"
@@ -17,46 +15,6 @@
 
 namespace arboc {
 namespace {
-
-/// Names the joint whose coordinate can never be accelerated by a finite force.
-void refuse_singular(const DynamicTree& tree, const std::vector<Expr>& pivots,
-                     const std::string& function) {
-  for (size_t k = pivots.size(); k-- > 0;) {
-    if (!pivots[k].is_constant() || pivots[k].value() > 0) continue;
-    const auto body = std::find_if(tree.body.begin(), tree.body.end(), [&](const Body& b) {
-      const int first = b.v, last = b.v + freedoms(b.motion);
-      return first <= static_cast<int>(k) && static_cast<int>(k) < last;
-    });
-    throw AbsentError(
-        fmt::format("error: joint '{}': what it moves has no inertia about its axis, so {} has no "
-                    "solution (give its links mass, fix the joint, or leave {} out)",
-                    printable(body->joint), function, function));
-  }
-}
-
-/// Functions of the centre of mass divide by the mass of what moves.
-void refuse_massless(const DynamicTree& tree, const Setup& setup, const std::string& function) {
-  if (function != "com" && function != "com_jacobian" && function != "centroidal") return;
-  for (const Parameter& p : setup.parameters)
-    if (p.kind == Parameter::Kind::kMass) return;
-  if (total_mass<double>(tree) == 0)
-    throw AbsentError(fmt::format(
-        "error: nothing that moves has mass, so {} has no value (give links mass, or leave {} out)",
-        function, function));
-}
-
-/// Of a file without masses there is kinematics only.
-void refuse_dynamics(const Model& model, const std::string& function) {
-  constexpr const char* kKinematic[] = {"fk",        "frame_",     "joint_jacobians",
-                                        "integrate", "difference", "regressor"};
-  if (!model.kinematic) return;
-  for (const char* name : kKinematic)
-    if (function.starts_with(name)) return;
-  throw AbsentError(fmt::format(
-      "error: the file gives no mass, cg and inertia of anything, so there is no {} (give them, or "
-      "ask for fk, frame_jacobian and the like)",
-      function));
-}
 
 /// A trace on its way: inputs, and outputs by name.
 class Tracer {
@@ -69,12 +27,15 @@ class Tracer {
         request_(defined_as(request)),
         builder_(signature_.name) {}
 
-  Traced run() {
+  /// A Jacobian by `recursion` if there is one, otherwise on the graph of what it is of.
+  Traced run(const JacobianRecursion* recursion = nullptr) {
     for (const Argument& a : signature_.inputs)
       for (const Ref ref : builder_.input(a.name, a.rows * a.cols))
         inputs_[a.name].emplace_back(&builder_, ref);
     if (request_.derivative == Derivative::kNone)
       plain();
+    else if (recursion)
+      recursive(*recursion);
     else
       derived();
     if (!pivots_.empty()) output(signature_.positive, pivots_);
@@ -85,14 +46,17 @@ class Tracer {
   }
 
  private:
-  /// Results of a function of the catalogue; keeps its pivots.
-  std::vector<std::vector<Expr>> evaluate(const Signature& s) {
-    refuse_massless(nominal_, setup_, s.name);
-    refuse_dynamics(setup_.model, s.name);
+  /// Results of a function of the catalogue; keeps its pivots.  Inputs that there are not are zero.
+  std::vector<std::vector<Expr>> evaluate(const Signature& s, const Setup& setup) {
+    refuse_massless(nominal_, setup, s.name);
+    refuse_dynamics(setup.model, s.name);
+    Arguments<Expr> inputs = inputs_;
+    for (const Argument& a : s.inputs)
+      inputs.try_emplace(a.name, static_cast<size_t>(a.rows), Expr(0));
     std::vector<std::vector<Expr>> results =
-        setup_.parameters.empty()
-            ? arboc::run(s, nominal_, setup_, inputs_)
-            : arboc::run(s, symbolic_tree(setup_, lowering_, nominal_, inputs_), setup_, inputs_);
+        setup.parameters.empty()
+            ? arboc::run(s, nominal_, setup, inputs)
+            : arboc::run(s, symbolic_tree(setup, lowering_, nominal_, inputs), setup, inputs);
     if (!s.positive.empty()) {
       pivots_ = std::move(results.back());
       results.pop_back();
@@ -128,27 +92,34 @@ class Tracer {
   }
 
   void plain() {
-    std::vector<std::vector<Expr>> results = evaluate(signature_);
+    std::vector<std::vector<Expr>> results = evaluate(signature_, setup_);
     std::vector<CoordinateBlock> none;
     settle(NodeOrder::kByCones, results, none);
-    for (size_t k = 0; k < results.size(); ++k) {
-      const Argument& a = signature_.outputs[k];
-      Pattern& pattern = patterns_.emplace_back();
-      output(a.code(), a.sparse ? non_zeros(a, results[k], pattern) : results[k]);
-    }
+    for (size_t k = 0; k < results.size(); ++k) dense(signature_.outputs[k], results[k]);
+  }
+
+  /// Of a matrix that is sparse the structural non-zeros.
+  void dense(const Argument& a, const std::vector<Expr>& values) {
+    Pattern& pattern = patterns_.emplace_back();
+    output(a.code(), a.sparse ? non_zeros(a, values, pattern) : values);
+  }
+
+  /// Of what derivatives are taken.
+  Signature base() const { return signature(Request{request_.function}, setup_); }
+  static size_t output_of(const Signature& s, const std::string& name) {
+    size_t k = 0;
+    while (s.outputs[k].name != name) ++k;
+    return k;
   }
 
   void derived() {
-    Request base;
-    base.function = request_.function;
-    const Signature s = signature(base, setup_);
-    std::vector<std::vector<Expr>> results = evaluate(s);
+    const Signature s = base();
+    std::vector<std::vector<Expr>> results = evaluate(s, setup_);
     const std::vector<std::string> with = derived_inputs(request_, s);
     std::vector<CoordinateBlock> blocks;
     for (const std::string& input : with) blocks.push_back(coordinates(input));
     settle(NodeOrder::kByLevels, results, blocks);
-    size_t k = 0;
-    while (s.outputs[k].name != request_.output) ++k;
+    const size_t k = output_of(s, request_.output);
     std::vector<Ref> values;
     for (const Expr& x : filled(s.outputs[k], results[k])) values.push_back(x.ref(builder_));
     if (request_.derivative == Derivative::kJacobian)
@@ -157,6 +128,37 @@ class Tracer {
       hessians(weighted(values), with, blocks);
     else
       gradients(weighted(values), blocks);
+  }
+
+  void recursive(const JacobianRecursion& recursion) {
+    const std::vector<std::string> with = derived_inputs(request_, base());
+    const Signature s = signature(Request{recursion.function}, setup_);
+    std::vector<std::vector<Expr>> all, columns;
+    for (const std::string& input : with) {
+      if (input == "f_ext") {
+        columns.push_back(by_wrenches());
+        continue;
+      }
+      if (all.empty()) all = evaluate(s, setup_);
+      const size_t k = output_of(s, recursion.output(input));
+      columns.push_back(filled(s.outputs[k], all[k]));
+    }
+    std::vector<CoordinateBlock> none;
+    settle(NodeOrder::kByCones, columns, none);
+    for (size_t w = 0; w < with.size(); ++w) dense(signature_.outputs[w], columns[w]);
+  }
+
+  /// Of inverse dynamics by wrenches: -J^T of the loaded frames.
+  std::vector<Expr> by_wrenches() {
+    Setup loaded = setup_;
+    loaded.frames = setup_.loads;
+    const Signature s = signature(Request{"frame_jacobian"}, loaded);
+    const std::vector<Expr> J = std::move(evaluate(s, loaded)[0]);
+    const auto rows = static_cast<size_t>(s.outputs[0].rows), n = J.size() / rows;
+    std::vector<Expr> columns(J.size());
+    for (size_t i = 0; i < n; ++i)
+      for (size_t k = 0; k < rows; ++k) columns[i * rows + k] = -J[k * n + i];
+    return columns;
   }
 
   /// Both triangles of a symmetric matrix.
@@ -204,13 +206,8 @@ class Tracer {
     std::vector<int> first;
     const std::vector<Coordinate> all = all_coordinates(with, first);
     const SparseMatrix J = jacobian(builder_, values, all);
-    for (size_t w = 0; w < with.size(); ++w) {
-      SparseMatrix part;
-      for (size_t k = 0; k < J.value.size(); ++k)
-        if (first[w] <= J.col[k] && J.col[k] < first[w + 1])
-          part.push(J.row[k], J.col[k] - first[w], J.value[k]);
-      output(signature_.outputs[w].name, part);
-    }
+    for (size_t w = 0; w < with.size(); ++w)
+      output(signature_.outputs[w].name, J.part(0, J.rows, first[w], first[w + 1]));
   }
 
   void gradients(const WeightedSum& sum, const std::vector<CoordinateBlock>& with) {
@@ -244,12 +241,7 @@ class Tracer {
     const SparseMatrix H = iterated_hessian(builder_, sum, all_coordinates(blocks, first));
     for (size_t p = 0; p < pairs.size(); ++p) {
       const auto [r, c] = pairs[p];
-      SparseMatrix part;
-      for (size_t k = 0; k < H.value.size(); ++k)
-        if (first[r] <= H.row[k] && H.row[k] < first[r + 1] && first[c] <= H.col[k] &&
-            H.col[k] < first[c + 1])
-          part.push(H.row[k] - first[r], H.col[k] - first[c], H.value[k]);
-      output(signature_.outputs[p].name, part);
+      output(signature_.outputs[p].name, H.part(first[r], first[r + 1], first[c], first[c + 1]));
     }
   }
 
@@ -291,10 +283,22 @@ class Tracer {
   std::vector<Pattern> patterns_;
 };
 
+int cost(const Traced& traced) {
+  const Region& region = traced.graph.regions.back();
+  std::vector<Ref> roots;
+  for (const std::vector<Ref>& result : region.results)
+    roots.insert(roots.end(), result.begin(), result.end());
+  return estimated_cost(region, roots);
+}
+
 }  // namespace
 
 Traced trace(const Request& request, const Setup& setup, const LoweringOptions& lowering) {
-  return Tracer(request, setup, lowering).run();
+  Traced traced = Tracer(request, setup, lowering).run();
+  const JacobianRecursion* recursion = recursion_of(request, setup);
+  if (!recursion) return traced;
+  Traced other = Tracer(request, setup, lowering).run(recursion);
+  return cost(other) < cost(traced) ? std::move(other) : std::move(traced);
 }
 
 }  // namespace arboc
