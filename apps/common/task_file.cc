@@ -8,15 +8,21 @@
 namespace study {
 namespace {
 
+/// Bases of tables in a file are beside it, even where the file is a base itself.
+void place_bases(toml::node& node, const std::filesystem::path& folder) {
+  if (toml::array* list = node.as_array())
+    for (toml::node& entry : *list) place_bases(entry, folder);
+  toml::table* table = node.as_table();
+  if (!table) return;
+  if (const auto base = (*table)["base"].value<std::string>())
+    table->insert_or_assign("base", (folder / *base).string());
+  for (auto&& [key, inner] : *table) place_bases(inner, folder);
+}
+
 toml::table parse(const std::string& path) {
   try {
     toml::table file = toml::parse_file(path);
-    // Bases of tables in it are beside this file, even where it is a base itself.
-    for (auto&& [key, node] : file)
-      if (toml::table* inner = node.as_table())
-        if (const auto base = (*inner)["base"].value<std::string>())
-          inner->insert_or_assign("base",
-                                  (std::filesystem::path(path).parent_path() / *base).string());
+    for (auto&& [key, node] : file) place_bases(node, std::filesystem::path(path).parent_path());
     return file;
   } catch (const toml::parse_error& e) {
     const auto at = e.source().begin;

@@ -12,18 +12,14 @@ namespace {
 using namespace arboc::nlp;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Turn = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
 
 /// One row an instant as functions take them.
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-Turn turn_of(const double* placement) { return Turn(placement); }
-Vector3 place_of(const double* placement) { return Vector3(placement + 9); }
-
 /// Loads as the dynamics take them: force and moment about the frame's origin, world axes.
 void add_wrench(const Robot& robot, const std::string& frame, const Vector3& point,
                 const double* placements, const Vector3& f, const Vector3& n, double* wrenches) {
-  const Vector3 arm = turn_of(placements + 12 * robot.frame(frame)) * point;
+  const Vector3 arm = Placement(placements + 12 * robot.frame(frame)).R * point;
   double* at = wrenches + 6 * robot.load(frame);
   Eigen::Map<Vector3> force(at), moment(at + 3);
   force += f;
@@ -37,7 +33,7 @@ VectorXd in_world(const Task& task, const Robot& robot, const VectorXd& own,
   const std::vector<Contact>& contacts = task.start.posture.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (!contacts[c].own_axes) continue;
-    const Turn R = turn_of(placements + 12 * robot.frame(contacts[c].frame));
+    const Eigen::Matrix3d R = Placement(placements + 12 * robot.frame(contacts[c].frame)).R;
     const auto at = static_cast<Eigen::Index>(6 * c);
     world.segment<3>(at) = R * own.segment<3>(at);
     world.segment<3>(at + 3) = R * own.segment<3>(at + 3);
@@ -56,6 +52,14 @@ double off_place(const Place& place, const Vector3& p) {
 }
 
 }  // namespace
+
+Misplacement misplacement(const Contact& contact, const Placement& at) {
+  Misplacement off{off_place(contact.place, at(contact.point)), 0};
+  for (const Alignment& a : contact.align)
+    off.sine =
+        std::max(off.sine, (at.R * a.axis.normalized()).cross(a.direction.normalized()).norm());
+  return off;
+}
 
 void Worst::note(double x, double t, const std::string& what) {
   if (!(x > value)) return;
@@ -128,6 +132,16 @@ bool Audit::passes(const Tolerance& t) const {
          torque_excess.value <= t.torque;
 }
 
+void Audit::add(const Audit& other, double later) {
+  instants += other.instants;
+  for (const auto worst : {&Audit::force, &Audit::moment, &Audit::drift, &Audit::turn,
+                           &Audit::torque_excess, &Audit::joint_excess, &Audit::friction_excess}) {
+    const Worst& of = other.*worst;
+    (this->*worst).note(of.value, of.time + later, of.where);
+  }
+  largest_normalised = std::max(largest_normalised, other.largest_normalised);
+}
+
 namespace {
 
 class Auditor {
@@ -176,16 +190,13 @@ class Auditor {
     const Contact& contact = task_.start.posture.contacts[c];
     Eigen::Matrix<double, 12, 1> placement =
         s_.placements.row(k).segment<12>(12 * model_.robot.frame(contact.frame)).transpose();
-    const Turn R = turn_of(placement.data());
-    out_.drift.note(off_place(contact.place, place_of(placement.data()) + R * contact.point),
-                    s_.t[k], contact.name);
-    for (const Alignment& a : contact.align) {
-      const Vector3 axis = R * a.axis.normalized();
-      out_.turn.note(axis.cross(a.direction.normalized()).norm(), s_.t[k], contact.name);
-    }
+    const Placement at(placement.data());
+    const Misplacement off = misplacement(contact, at);
+    out_.drift.note(off.distance, s_.t[k], contact.name);
+    out_.turn.note(off.sine, s_.t[k], contact.name);
     if (!std::isfinite(contact.friction)) return;
     Vector3 f = s_.reactions.row(k).segment<3>(static_cast<Eigen::Index>(6 * c)).transpose();
-    if (contact.own_axes) f = R.transpose() * f;
+    if (contact.own_axes) f = at.R.transpose() * f;
     const Vector3 n = contact.normal.normalized();
     out_.friction_excess.note((f - n * n.dot(f)).norm() - contact.friction * n.dot(f), s_.t[k],
                               contact.name);

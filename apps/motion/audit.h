@@ -15,6 +15,12 @@ struct Samples {
 };
 Samples sample(const Task& task, const Model& model, const Motion& motion, int count);
 
+/// How far a contact is from where it holds.
+struct Misplacement {
+  double distance = 0, sine = 0;  ///< m; of the largest angle of its axes
+};
+Misplacement misplacement(const arboc::nlp::Contact& contact, const arboc::nlp::Placement& at);
+
 /// The worst of many instants, and when it happens.
 struct Worst {
   double value = 0, time = 0;
@@ -32,6 +38,8 @@ struct Audit {
   double largest_normalised = 0;
 
   bool passes(const Tolerance& t) const;
+  /// Of a motion that follows, whose time is so much later.
+  void add(const Audit& other, double later);
 };
 Audit audit(const Task& task, const Model& model, const Samples& samples);
 

@@ -57,20 +57,18 @@ class Builder {
   void add_coordinates() {
     if (free_ == Free::kReactions) return give_coordinates();
     const Robot& robot = model_.robot;
-    const int n = out_.q_basis.size();
-    MatrixXd fixed[2];
-    for (int e = 0; e < 2; ++e)
-      fixed[e] =
-          end_points(out_.q_basis, {ends_.q[e], ends_.v[e], VectorXd::Zero(robot.size())}, e == 1);
+    const int n = out_.q_basis.size(), first = ends_.fixed(0), last = n - ends_.fixed(1);
+    const MatrixXd begin = end_points(out_.q_basis, ends_.at[0], false),
+                   end = end_points(out_.q_basis, ends_.at[1], true);
     for (int j = 0; j < robot.size(); ++j) {
       const Interval range{robot.q_lower[j], robot.q_upper[j], 1};
-      const Quantities free =
-          problem_.add_variables("joint limits", "rad, m", std::vector<Interval>(n - 6, range));
+      const Quantities free = problem_.add_variables("joint limits", "rad, m",
+                                                     std::vector<Interval>(last - first, range));
       std::vector<Affine>& row = out_.q.points.emplace_back();
       for (int i = 0; i < n; ++i)
-        row.push_back(i < 3        ? Affine(fixed[0](j, i))
-                      : i >= n - 3 ? Affine(fixed[1](j, i - n + 3))
-                                   : Affine(free[i - 3]));
+        row.push_back(i < first   ? Affine(begin(j, i))
+                      : i >= last ? Affine(end(j, i - n + 3))
+                                  : Affine(free[i - first]));
     }
   }
 
@@ -86,8 +84,10 @@ class Builder {
   void add_reactions() {
     const int n = out_.r_basis.size();
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      const std::vector<Interval> range = reaction_range(contacts_[c]);
-      for (std::size_t i = 0; i < 6; ++i) add_reaction(6 * c + i, contacts_[c].name, range[i]);
+      const std::vector<Interval> range = reaction_range(contacts_[c]),
+                                  last = reaction_range(task_.end.posture.contacts[c]);
+      for (std::size_t i = 0; i < 6; ++i)
+        add_reaction(6 * c + i, contacts_[c].name, range[i], last[i]);
       for (int k = 0; k < n; ++k) {
         Reaction reaction;
         for (std::size_t i = 0; i < 6; ++i)
@@ -98,18 +98,21 @@ class Builder {
       }
     }
   }
-  void add_reaction(std::size_t component, const std::string& name, const Interval& range) {
+  /// `last`: limits at the end, which may be narrower there.
+  void add_reaction(std::size_t component, const std::string& name, const Interval& range,
+                    const Interval& last) {
     const int n = out_.r_basis.size();
     std::vector<Affine>& row = out_.r.points.emplace_back();
     const auto at = static_cast<Eigen::Index>(component);
     for (int k = 0; k < n; ++k) {
-      const int e = k == 0 ? 0 : 1;
-      if (range.lower == range.upper)
-        row.emplace_back(range.lower);
-      else if ((k == 0 || k == n - 1) && ends_.at_rest[e])
-        row.emplace_back(ends_.reactions[e][at]);
+      const std::size_t e = k == 0 ? 0 : 1;
+      const Interval& here = k == n - 1 ? last : range;
+      if (here.lower == here.upper)
+        row.emplace_back(here.lower);
+      else if ((k == 0 || k == n - 1) && ends_.given[e])
+        row.emplace_back(ends_.at[e].reactions[at]);
       else
-        row.emplace_back(problem_.add_variables(name + ", reaction limits", "N, N m", {range})[0]);
+        row.emplace_back(problem_.add_variables(name + ", reaction limits", "N, N m", {here})[0]);
     }
   }
 

@@ -17,10 +17,14 @@ struct Motion {
   arboc::BSpline q, reactions;
 };
 
-/// The state at both ends.
+/// The state at both ends.  Accelerations and reactions are `given` too where the body is at rest
+/// or where another motion ended; elsewhere they are guesses, and variables.
 struct Ends {
-  std::array<Eigen::VectorXd, 2> q, v, reactions;
-  std::array<bool, 2> at_rest{true, true};
+  std::array<State, 2> at;
+  std::array<bool, 2> given{true, true};
+
+  /// Control points of coordinates that these states fix.
+  int fixed(int end) const { return given[static_cast<std::size_t>(end)] ? 3 : 2; }
 };
 
 /// Where equations are asked for.

@@ -10,16 +10,17 @@ namespace {
 using arboc::BSplineBasis;
 using Eigen::VectorXd;
 
-/// Instants of q's and of reactions' free control points.
+/// Instants of q's and of reactions' free control points; these may be at an end.
 std::vector<Frames::Frame> greville_frames(const Ends& ends, const BSplineBasis& q,
                                            const BSplineBasis& reactions) {
   std::vector<Frames::Frame> all;
   const double near = 1e-9 * (q.end() - q.begin());
   const VectorXd places = q.greville(), r = reactions.greville();
-  for (Eigen::Index k = 3; k < places.size() - 3; ++k) all.push_back({places[k], true, true, 0});
+  for (Eigen::Index k = ends.fixed(0); k < places.size() - ends.fixed(1); ++k)
+    all.push_back({places[k], true, true, 0});
   for (Eigen::Index k = 0; k < r.size(); ++k) {
     const bool first = k == 0, last = k == r.size() - 1;
-    const bool known = (first && ends.at_rest[0]) || (last && ends.at_rest[1]);
+    const bool known = (first && ends.given[0]) || (last && ends.given[1]);
     if (!known && std::none_of(all.begin(), all.end(), [&](const Frames::Frame& f) {
           return std::fabs(f.t - r[k]) < near;
         }))
@@ -36,9 +37,11 @@ Frames frames_of(const Task& task, const Ends& ends, const BSplineBasis& q,
   Frames frames;
   std::vector<Frames::Frame> given;
   if (const int n = task.search.frames; n > 0) {
+    if (!ends.given[0]) given.push_back({q.begin(), true, false, 0});
     for (int k = 1; k <= n; ++k)
       given.push_back({q.begin() + (q.end() - q.begin()) * k / (n + 1), true, true, 0});
-    frames.exact = n <= q.size() - 6;
+    if (!ends.given[1]) given.push_back({q.end(), true, false, 0});
+    frames.exact = n <= q.size() - ends.fixed(0) - ends.fixed(1);
   } else {
     given = greville_frames(ends, q, reactions);
   }

@@ -50,20 +50,22 @@ Motion motion_of(const Built& built, const std::vector<double>& x) {
 }
 
 Motion straight(const Ends& ends, const BSplineBasis& q, const BSplineBasis& reactions) {
-  const auto line = [&](const BSplineBasis& basis, const std::array<VectorXd, 2>& end, int fixed) {
+  const auto line = [](const BSplineBasis& basis, const VectorXd& from, const VectorXd& to,
+                       int fixed) {
     const int n = basis.size();
-    MatrixXd P(end[0].size(), n);
+    MatrixXd P(from.size(), n);
     for (int i = 0; i < n; ++i) {
       const double u = std::clamp((i - fixed + 1.0) / (n - 2 * fixed + 1.0), 0.0, 1.0);
-      P.col(i) = (1 - u) * end[0] + u * end[1];
+      P.col(i) = (1 - u) * from + u * to;
     }
     return P;
   };
-  MatrixXd P = line(q, ends.q, 3);
-  const VectorXd still = VectorXd::Zero(P.rows());
-  P.leftCols(3) = end_points(q, {ends.q[0], ends.v[0], still}, false);
-  P.rightCols(3) = end_points(q, {ends.q[1], ends.v[1], still}, true);
-  return {arboc::BSpline(q, P), arboc::BSpline(reactions, line(reactions, ends.reactions, 1))};
+  const auto& [from, to] = ends.at;
+  MatrixXd P = line(q, from.q, to.q, 3);
+  P.leftCols(3) = end_points(q, from, false);
+  P.rightCols(3) = end_points(q, to, true);
+  return {arboc::BSpline(q, P),
+          arboc::BSpline(reactions, line(reactions, from.reactions, to.reactions, 1))};
 }
 
 }  // namespace motion

@@ -8,11 +8,11 @@ using arboc::BSplineBasis;
 using arboc::nlp::Affine;
 using Eigen::MatrixXd;
 
-MatrixXd end_points(const BSplineBasis& basis, const EndState& state, bool at_end) {
+MatrixXd end_points(const BSplineBasis& basis, const State& state, bool at_end) {
   const MatrixXd all = basis.derivatives(at_end ? basis.end() : basis.begin(), 2);
   const MatrixXd B = at_end ? all.rightCols(3) : all.leftCols(3);
-  MatrixXd right(3, state.value.size());
-  right << state.value.transpose(), state.first.transpose(), state.second.transpose();
+  MatrixXd right(3, state.q.size());
+  right << state.q.transpose(), state.v.transpose(), state.a.transpose();
   return B.partialPivLu().solve(right).transpose();
 }
 

@@ -6,14 +6,15 @@
 
 namespace motion {
 
-/// Coordinates at an end: value, first and second derivative.
-struct EndState {
-  Eigen::VectorXd value, first, second;
+/// How a body moves at an instant.
+struct State {
+  Eigen::VectorXd q, v, a;
+  Eigen::VectorXd reactions;  ///< six a contact, along the contact's axes
 };
 
-/// The first three control points (columns) of curves that begin so, or the last three of curves
-/// that end so.
-Eigen::MatrixXd end_points(const arboc::BSplineBasis& basis, const EndState& state, bool at_end);
+/// The first three control points (columns) of coordinates that begin so, or the last three of
+/// those that end so; all but the innermost one do not depend on accelerations.
+Eigen::MatrixXd end_points(const arboc::BSplineBasis& basis, const State& state, bool at_end);
 
 /// Basis values and derivatives of some orders at an instant.
 struct BasisAt {

@@ -19,15 +19,23 @@ constexpr double kNearLimit = 0.8;  ///< of a limit of forces: it is drawn
 
 VectorXd constant(Eigen::Index n, double value) { return VectorXd::Constant(n, value); }
 
-/// Indices of samples for an animation.
+/// The sample closest to an instant; phases have as many samples each, whatever they last.
+Eigen::Index at(const Samples& s, double t) {
+  const auto after = std::lower_bound(s.t.begin(), s.t.end(), t) - s.t.begin();
+  if (after == 0 || after == s.t.size()) return after == 0 ? 0 : after - 1;
+  return s.t[after] - t < t - s.t[after - 1] ? after : after - 1;
+}
+
+/// Indices of samples for an animation, without repetition.
 std::vector<Eigen::Index> frames(const Samples& s) {
   const double duration = s.t[s.t.size() - 1] - s.t[0];
   const int wanted = std::clamp(static_cast<int>(duration * kFramesPerSecond) + 1, 2, kMostFrames);
   const int count = std::min<int>(wanted, static_cast<int>(s.t.size()));
   std::vector<Eigen::Index> out;
-  for (int k = 0; k < count; ++k)
-    out.push_back(static_cast<Eigen::Index>(
-        std::lround(static_cast<double>(k) * static_cast<double>(s.t.size() - 1) / (count - 1))));
+  for (int k = 0; k < count; ++k) {
+    const Eigen::Index sample = at(s, s.t[0] + duration * k / (count - 1));
+    if (out.empty() || sample > out.back()) out.push_back(sample);
+  }
   return out;
 }
 
@@ -190,7 +198,10 @@ class Stroboscope {
  private:
   static constexpr double kGap = 0.15, kPixels = 320;  ///< m; a metre
 
-  Eigen::Index instant(int k) const { return (s_.t.size() - 1) * k / (kPictures - 1); }
+  Eigen::Index instant(int k) const {
+    const double begin = s_.t[0], end = s_.t[s_.t.size() - 1];
+    return at(s_, begin + (end - begin) * k / (kPictures - 1));
+  }
   Eigen::Vector3d place(Eigen::Index k, const std::string& frame) const {
     return s_.placements.row(k).segment<3>(12 * model_.robot.frame(frame) + 9).transpose();
   }

@@ -87,14 +87,17 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 1;
   }
-  const Task task = read_task(path);
+  const Plan plan = read_plan(path);
+  const Task task = whole(plan);
   const Model& of = posture::model(task.model);
   std::signal(SIGINT, interrupt);
-  if (!from.empty()) options.from = read_motion(from, of, task);
+  std::vector<Motion> starts;
+  if (!from.empty()) starts = read_motions(from, of, plan);
   options.go_on = [quiet](const Iteration& i) { return quiet ? !interrupted : show(i); };
-  const Result result = predict(task, of, options);
+  const Course course = predict_phases(plan, of, options, starts);
+  const Result result = whole(plan, course);
   const study::Animation moving = animation(task, of, result);
-  study::Files files = {{"result.json", json_text(task, of, result)},
+  study::Files files = {{"result.json", json_text(plan, of, course)},
                         {"trajectory.csv", trajectory_csv(of, result)},
                         {"reactions.csv", reactions_csv(task, result)},
                         {"motion.mot", opensim_text(coordinates_recording(of, result))},

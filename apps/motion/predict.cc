@@ -3,6 +3,8 @@
 #include <posture/build.h>
 #include <chrono>
 
+#include "rates.h"
+
 namespace motion {
 namespace {
 
@@ -30,8 +32,8 @@ VectorXd reactions_of(const Model& model, const posture::Task& task, const postu
   for (std::size_t c = 0; c < task.contacts.size(); ++c) {
     Eigen::Matrix<double, 6, 1> wrench(r.reactions[c].data());
     if (task.contacts[c].own_axes) {
-      const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> R(
-          placements.data() + 12 * model.robot.frame(task.contacts[c].frame));
+      const Eigen::Matrix3d R =
+          Placement(placements.data() + 12 * model.robot.frame(task.contacts[c].frame)).R;
       wrench.head<3>() = (R.transpose() * wrench.head<3>()).eval();
       wrench.tail<3>() = (R.transpose() * wrench.tail<3>()).eval();
     }
@@ -40,9 +42,30 @@ VectorXd reactions_of(const Model& model, const posture::Task& task, const postu
   return out;
 }
 
-VectorXd velocity_of(const Model& model, const End& end) {
-  return vector_of(posture::posture_of(
-      end.velocity, model, std::vector<double>(static_cast<std::size_t>(model.robot.size()), 0)));
+/// How long control points beside an end, of which velocities decide, are ahead of it.
+double reach(const Task& task) {
+  const Curves& c = task.curves;
+  return 3 * task.duration / (c.control_points - c.degree) / c.degree;
+}
+
+VectorXd velocity_at_end(const Task& task, const Model& model, const VectorXd& q,
+                         const Task* next) {
+  RateLimits limits{task.start.posture.contacts, reach(task)};
+  if (next) {
+    const auto& more = next->start.posture.contacts;
+    limits.contacts.insert(limits.contacts.end(), more.begin(), more.end());
+    limits.reach = std::max(limits.reach, reach(*next));
+  }
+  return complete_velocity(model, q, task.end.velocity, limits, "end_velocity");
+}
+
+/// A posture that is known.
+posture::Result known_posture(const State& state) {
+  posture::Result out;
+  out.status = Status::kOptimal;
+  out.reason = "where the motion before ends";
+  out.q.assign(state.q.data(), state.q.data() + state.q.size());
+  return out;
 }
 
 /// Without torques: a smooth motion that holds on to its contacts within all limits.
@@ -63,9 +86,8 @@ posture::Result step_towards(posture::Task task, const Model& model, const std::
   std::vector<double> placements(static_cast<std::size_t>(robot.placements->outputs()));
   robot.placements->values(1, from.data(), placements.data());
   for (posture::Target& target : task.targets) {
-    const double* at = placements.data() + 12 * robot.frame(target.frame);
-    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> R(at);
-    const Vector3 here = R * target.point + Vector3(at + 9);
+    const Vector3 here =
+        Placement(placements.data() + 12 * robot.frame(target.frame))(target.point);
     target.place.at = (1 - part) * here + part * target.place.at;
   }
   task.guess.clear();
@@ -95,20 +117,35 @@ posture::Result continued(const posture::Task& task, const Model& model,
 }  // namespace
 
 Ends predict_ends(const Task& task, const Model& model, posture::Result& start,
-                  posture::Result& end) {
-  start = posture::predict(task.start.posture, model);
+                  posture::Result& end, const Joints& joints) {
+  start = joints.after ? known_posture(*joints.after) : posture::predict(task.start.posture, model);
   if (start.status != Status::kOptimal)
     throw std::domain_error("no posture at the start: " + start.reason);
   end = continued(task.end.posture, model, start);
   if (end.status != Status::kOptimal)
     throw std::domain_error("no posture at the end: " + end.reason);
+  const VectorXd still = VectorXd::Zero(model.robot.size());
   Ends ends;
-  ends.q = {vector_of(start.q), vector_of(end.q)};
-  ends.v = {velocity_of(model, task.start), velocity_of(model, task.end)};
-  ends.reactions = {reactions_of(model, task.start.posture, start),
-                    reactions_of(model, task.end.posture, end)};
-  ends.at_rest = {ends.v[0].isZero(0), ends.v[1].isZero(0)};
+  if (joints.after) {
+    ends.at[0] = *joints.after;
+    ends.given[0] = !joints.jolts;
+  } else {
+    const VectorXd q = vector_of(start.q);
+    const VectorXd v =
+        complete_velocity(model, q, task.start.velocity, {task.start.posture.contacts, reach(task)},
+                          "start_velocity");
+    ends.at[0] = {q, v, still, reactions_of(model, task.start.posture, start)};
+    ends.given[0] = v.isZero(0);
+  }
+  const VectorXd q = vector_of(end.q), v = velocity_at_end(task, model, q, joints.next);
+  ends.at[1] = {q, v, still, reactions_of(model, task.end.posture, end)};
+  ends.given[1] = v.isZero(0);
   return ends;
+}
+
+State state_at(const Motion& motion, bool at_end) {
+  const double t = at_end ? motion.q.basis().end() : motion.q.basis().begin();
+  return {motion.q(t), motion.q(t, 1), motion.q(t, 2), motion.reactions(t)};
 }
 
 Motion first_guess(const Task& task, const Ends& ends) {
@@ -187,7 +224,7 @@ class Predictor {
 
   Result run() {
     const Clock::time_point begin = Clock::now();
-    ends_ = predict_ends(task_, model_, result_.start, result_.end);
+    ends_ = predict_ends(task_, model_, result_.start, result_.end, options_.joints);
     result_.posture_seconds = seconds_since(begin);
     if (options_.reactions_only) return reactions_of_given(begin);
     const Motion guess = options_.from ? *options_.from : first_guess(task_, ends_);
@@ -230,7 +267,7 @@ class Predictor {
 
   Motion solve_stage(const std::string& name, const Task& task, const Motion& guess) {
     Stage stage;
-    stage.name = name;
+    stage.name = options_.label + name;
     Options options = options_;
     if (options_.go_on)
       options.go_on = [this](const Iteration& i) { return !(stopped_ = !options_.go_on(i)); };

@@ -43,19 +43,28 @@ struct Iteration {
 };
 using GoOn = std::function<bool(const Iteration&)>;
 
+/// What comes before and after, of a motion in phases.
+struct Joints {
+  std::optional<State> after = {};  ///< where the motion before ended: this one begins there
+  bool jolts = false;               ///< other than `given`, see Ends: a contact is new while moving
+  const Task* next = nullptr;       ///< whose contacts do not move at the end either
+};
+
 struct Options {
   GoOn go_on = {};
   std::optional<Motion> from = {};  ///< where to start; otherwise a straight line
   bool reactions_only = false;      ///< of `from`
   int threads = 2;                  ///< of functions
   int blas_threads = 1;             ///< of the linear solver
+  std::string label = {};           ///< before the names of stages
+  Joints joints = {};
 };
 
 Result predict(const Task& task, const Model& model, const Options& options = {});
 
 /// The stages, one by one.  Postures and reactions at both ends:
 Ends predict_ends(const Task& task, const Model& model, posture::Result& start,
-                  posture::Result& end);
+                  posture::Result& end, const Joints& joints = {});
 /// A motion on the bases of the task.
 Motion first_guess(const Task& task, const Ends& ends);
 /// From `guess`, on its bases.
@@ -65,8 +74,7 @@ Motion improve(const Task& task, const Model& model, const Ends& ends, const Mot
 Motion react(const Task& task, const Model& model, const Ends& ends, const Motion& given,
              Stage& stage, const Options& options);
 
-/// The curves of a result.json of the same model and contacts, stretched to the task's duration.
-/// Throws std::invalid_argument.
-Motion read_motion(const std::string& path, const Model& model, const Task& task);
+/// How a motion moves at one of its ends.
+State state_at(const Motion& motion, bool at_end);
 
 }  // namespace motion

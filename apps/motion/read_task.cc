@@ -1,6 +1,7 @@
 // Task file -> Task.
 #include <posture/read.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -9,6 +10,9 @@
 namespace motion {
 namespace {
 
+using arboc::nlp::Alignment;
+using arboc::nlp::Contact;
+using arboc::nlp::Limits;
 using study::Table;
 
 /// A posture task, of a table that may have a base beside the file.
@@ -95,23 +99,59 @@ Search read_search(Table table) {
   return s;
 }
 
-void check(const Task& task, Table& table) {
-  const auto& a = task.start.posture.contacts;
-  const auto& b = task.end.posture.contacts;
-  bool same = task.start.posture.model == task.end.posture.model && a.size() == b.size();
-  for (std::size_t k = 0; same && k < a.size(); ++k) same = a[k].name == b[k].name;
-  if (!same) table.fail("start and end have not the same model and contacts");
+/// Two contacts of one name are of one point of the body, and hold it in one place.
+bool same_hold(const Contact& a, const Contact& b) {
+  const auto same_axis = [](const Alignment& x, const Alignment& y) {
+    return x.axis == y.axis && x.direction == y.direction && x.either_way == y.either_way;
+  };
+  return a.name == b.name && a.frame == b.frame && a.point == b.point &&
+         a.place.kind == b.place.kind && a.place.at == b.place.at &&
+         a.place.direction == b.place.direction && a.own_axes == b.own_axes &&
+         std::equal(a.align.begin(), a.align.end(), b.align.begin(), b.align.end(), same_axis);
 }
 
-}  // namespace
+void check(const Task& task, Table& table) {
+  const std::vector<Contact>& a = task.start.posture.contacts;
+  const std::vector<Contact>& b = task.end.posture.contacts;
+  if (task.start.posture.model != task.end.posture.model)
+    table.fail("start and end have not the same model");
+  if (a.size() != b.size()) table.fail("start and end have not the same contacts");
+  for (std::size_t k = 0; k < a.size(); ++k)
+    if (!same_hold(a[k], b[k]))
+      table.fail("contact '" + a[k].name +
+                 "' does not hold the same point in the same place at start and end");
+}
 
-Task read_task(const std::string& path) {
-  toml::table document = study::read_document(path);
+/// Between two phases: of what holds on in both, and of what is let go.
+void check_joint(const Task& before, const Task& next, const Table& table) {
+  if (before.model != next.model) table.fail("phases have not the same model");
+  if (!next.start.velocity.empty())
+    table.fail("start_velocity is that with which the phase before ends");
+  const std::vector<Contact>& held = next.start.posture.contacts;
+  for (const Contact& contact : before.end.posture.contacts) {
+    const auto same = std::find_if(held.begin(), held.end(),
+                                   [&](const Contact& c) { return c.name == contact.name; });
+    if (same != held.end() && !same_hold(contact, *same))
+      table.fail("contact '" + contact.name +
+                 "' does not hold the same point in the same place as in the phase before");
+    const auto nothing = [](const Limits& l) { return l.lower == 0 && l.upper == 0; };
+    if (same == held.end() && !(std::all_of(contact.force.begin(), contact.force.end(), nothing) &&
+                                std::all_of(contact.moment.begin(), contact.moment.end(), nothing)))
+      table.fail("contact '" + contact.name +
+                 "' is let go: at the end of the phase before its force and moment are 0");
+  }
+}
+
+/// A motion, of which `before` is what comes before, or null.
+Task task_of(toml::table& document, const std::string& name, const Task* before) {
   Table table(document, "task");
   Task task;
-  task.name = table.text("name", std::filesystem::path(path).stem().string());
+  task.name = table.text("name", name);
   table.text("base", "");
-  read_end(document, table, "start", task.start);
+  if (before && !document.contains("start"))
+    task.start.posture = before->end.posture;
+  else
+    read_end(document, table, "start", task.start);
   read_end(document, table, "end", task.end);
   task.model = task.start.posture.model;
   task.duration = positive(table, "duration", task.duration);
@@ -123,8 +163,35 @@ Task read_task(const std::string& path) {
   for (End* end : {&task.start, &task.end})
     if (!end->has_objective) end->posture.objective = posture_objective(task.objective);
   check(task, table);
+  if (before) check_joint(*before, task, table);
   table.finish();
   return task;
+}
+
+}  // namespace
+
+Plan read_plan(const std::string& path) {
+  toml::table document = study::read_document(path);
+  const std::string stem = std::filesystem::path(path).stem().string();
+  if (!document.contains("phase")) return {stem, {task_of(document, stem, nullptr)}};
+  Table table(document, "task");
+  Plan plan{table.text("name", stem), {}};
+  table.text("base", "");
+  if (table.tables("phase").empty()) table.fail("there is no phase");
+  for (toml::node& node : *document.get("phase")->as_array()) {
+    toml::table phase = study::over_base(std::move(*node.as_table()));
+    const Task* before = plan.phases.empty() ? nullptr : &plan.phases.back();
+    const std::filesystem::path base = phase["base"].value_or(std::string("phase"));
+    plan.phases.push_back(task_of(phase, base.stem().string(), before));
+  }
+  table.finish();
+  return plan;
+}
+
+Task read_task(const std::string& path) {
+  Plan plan = read_plan(path);
+  if (plan.phases.size() != 1) throw study::TaskError(path + ": error: it has phases");
+  return std::move(plan.phases.front());
 }
 
 }  // namespace motion

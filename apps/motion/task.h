@@ -69,7 +69,15 @@ struct Task {
   double torque_margin = 0;  ///< part of the limits that is kept free at frames
 };
 
+/// Motions of which each begins in the state in which the one before ended.
+struct Plan {
+  std::string name;
+  std::vector<Task> phases;  ///< at least one
+};
+
 /// Throws study::TaskError with file, line and column.
+Plan read_plan(const std::string& path);
+/// Of a file without phases.
 Task read_task(const std::string& path);
 
 }  // namespace motion

@@ -1,14 +1,15 @@
 // Result -> files.
 #pragma once
 #include "common/recording.h"
-#include "predict.h"
+#include "phases.h"
 
 namespace motion {
 
 using study::Recording;
 
-/// result.json: everything but the curves in time; numbers with 17 digits.
-std::string json_text(const Task& task, const Model& model, const Result& result);
+/// result.json: everything but the curves in time; numbers with 17 digits.  Phases, where there are
+/// several, have one object each in it.
+std::string json_text(const Plan& plan, const Model& model, const Course& course);
 /// One row an instant: t, then coordinates, velocities, accelerations, torques.
 std::string trajectory_csv(const Model& model, const Result& result);
 /// One row an instant: t, then force and moment of each contact, on the body, world axes.

@@ -68,7 +68,9 @@ Json json_of(const Stage& s) {
           {"audit", json_of(s.audit)}};
 }
 
+/// Of a phase's start nothing but where it is known.
 Json json_of(const posture::Result& r) {
+  if (r.reactions.empty()) return {{"q", r.q}};
   return {{"objective", r.objective},
           {"seconds", r.seconds},
           {"largest_normalised_torque", r.max_normalised_torque},
@@ -82,9 +84,7 @@ Json json_of(const arboc::BSpline& curve) {
           {"control_points", json_of(curve.points())}};
 }
 
-}  // namespace
-
-std::string json_text(const Task& task, const Model& model, const Result& result) {
+Json json_of(const Task& task, const Model& model, const Result& result) {
   Json out = {{"task", task.name},
               {"model", task.model},
               {"status", arboc::nlp::text(result.status)},
@@ -105,6 +105,15 @@ std::string json_text(const Task& task, const Model& model, const Result& result
     out["curves"]["q"] = json_of(result.motion->q);
     out["curves"]["reactions"] = json_of(result.motion->reactions);
   }
+  return out;
+}
+
+}  // namespace
+
+std::string json_text(const Plan& plan, const Model& model, const Course& course) {
+  Json out = json_of(whole(plan), model, whole(plan, course));
+  for (std::size_t k = 0; plan.phases.size() > 1 && k < course.phases.size(); ++k)
+    out["phases"].push_back(json_of(plan.phases[k], model, course.phases[k]));
   return out.dump(1) + '\n';
 }
 

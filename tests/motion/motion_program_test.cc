@@ -68,6 +68,49 @@ TEST(MotionProgram, GoesOnFromAResult) {
   EXPECT_EQ(run_program({COMPARE_MOTIONS, out + "/motion.mot", "nowhere.csv"}).status, 2);
 }
 
+TEST(MotionProgram, PhasesAreOneMotion) {
+  const TempDir folder;
+  const std::string out = folder.path(), task = kTasks + "nine_dof_through.toml";
+  const Outcome run = run_program({MOTION_PROGRAM, task, "-o", out});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("2 objective"), std::string::npos) << "which phase it is at";
+  const auto json = nlohmann::json::parse(content(out + "/result.json"));
+  EXPECT_EQ(json["status"], "optimal");
+  EXPECT_NEAR(json["duration_s"].get<double>(), 1.2, 1e-12);
+  ASSERT_EQ(json["phases"].size(), 2U);
+  double drift = 0;
+  for (const auto& phase : json["phases"]) {
+    EXPECT_EQ(phase["status"], "optimal");
+    EXPECT_TRUE(phase["audit_passes"].get<bool>());
+    drift = std::max(drift, phase["audit"]["drift_mm"].get<double>());
+  }
+  EXPECT_EQ(json["audit"]["drift_mm"].get<double>(), drift);
+  const std::string csv = content(out + "/trajectory.csv");
+  EXPECT_GE(std::count(csv.begin(), csv.end(), '\n'), 2 * 401);
+  EXPECT_GT(content(out + "/index.html").size(), 1000U);
+  for (const std::string more : {"--quiet", "--reactions-only"})
+    EXPECT_EQ(run_program({MOTION_PROGRAM, task, "-o", out + "/again", "--from",
+                           out + "/result.json", more})
+                  .status,
+              0);
+  // Not of so many phases.
+  EXPECT_EQ(run_program({MOTION_PROGRAM, kTasks + "santos_climb.toml", "-o", out + "/other",
+                         "--from", out + "/result.json"})
+                .status,
+            2);
+}
+
+TEST(MotionProgram, AVelocityThatContactsForbidIsAMistakeInTheTask) {
+  const TempDir folder;
+  const std::string out = folder.path(), task = out + "/task.toml";
+  std::ofstream(task) << "base = \"" << kTasks << "nine_dof_trial3_obj3.toml\"\n"
+                      << "end_velocity = { x = 0.3, y = 0, q2 = 0, q3 = 0, q4 = 0, q5 = 0 }\n";
+  const Outcome run = run_program({MOTION_PROGRAM, task, "-o", out, "--quiet"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find("contacts do not allow it: 'right hand' would move"), std::string::npos)
+      << run.err;
+}
+
 TEST(MotionProgram, AResultWithOtherContactsIsNoStart) {
   const TempDir folder;
   const std::string out = folder.path();

@@ -18,7 +18,7 @@ std::string complaint(const std::string& text) {
   const std::string path = std::string(folder.path()) + "/task.toml";
   std::ofstream(path) << text;
   try {
-    motion::read_task(path);
+    motion::read_plan(path);
   } catch (const study::TaskError& e) {
     return e.what();
   }
@@ -40,6 +40,50 @@ TEST(MotionTask, SaysWhatIsWrongAndWhere) {
       complaint("duration = 1\n" + kEnds + "[[via]]\nname = \"a\"\nframe = \"trunk\"\ntime = 3\n")
           .find("not between the ends"),
       std::string::npos);
+}
+
+TEST(MotionTask, StartAndEndHoldOnAlike) {
+  const std::string hand = "[[end.contact]]\nname = \"left hand\"\n";
+  EXPECT_EQ(complaint(kEnds + hand + "force = [0, 0, 0]\n"), "");
+  for (const char* other : {"frame = \"trunk\"\n", "point = [0, 0, 0.1]\n",
+                            "position = [-0.06, 0.18, 0]\n", "axes = \"own\"\n"})
+    EXPECT_NE(complaint(kEnds + hand + other)
+                  .find("contact 'left hand' does not hold the same point in the same place"),
+              std::string::npos)
+        << other;
+  EXPECT_NE(complaint(kEnds + "[[end.contact]]\nname = \"nose\"\nframe = \"trunk\"\n")
+                .find("not the same contacts"),
+            std::string::npos);
+}
+
+TEST(MotionTask, PhasesFitTogether) {
+  const std::string task = "nine_dof_trial3_obj3.toml\"\n",
+                    first = "[[phase]]\nbase = \"" ARBOC_SOURCE_DIR "/apps/motion/tasks/" + task;
+  EXPECT_EQ(complaint(first + first), "");
+  // Where the one before ends, with its contacts.
+  EXPECT_EQ(complaint(first + "[[phase]]\nend.base = \"" ARBOC_SOURCE_DIR
+                              "/apps/posture/tasks/nine_dof_trial1_obj3.toml\"\n"),
+            "");
+  EXPECT_NE(complaint(first + first + "start_velocity = { x = 1 }\n").find("start_velocity"),
+            std::string::npos);
+  EXPECT_NE(complaint(first + first + "[[phase.start.contact]]\nname = \"left hand\"\n" +
+                      "position = [-0.06, 0.18, 0]\n" + "[[phase.end.contact]]\n" +
+                      "name = \"left hand\"\nposition = [-0.06, 0.18, 0]\n")
+                .find("as in the phase before"),
+            std::string::npos);
+  EXPECT_NE(complaint(first + "[[phase]]\nbase = \"" ARBOC_SOURCE_DIR
+                              "/apps/motion/tasks/santos_lean.toml\"\n")
+                .find("not the same model"),
+            std::string::npos);
+  EXPECT_NE(complaint("phase = []\n").find("no phase"), std::string::npos);
+  EXPECT_THROW(motion_task("nine_dof_through"), study::TaskError);
+}
+
+TEST(MotionTask, WhatIsLetGoCarriesNothing) {
+  const std::string base = "base = \"" ARBOC_SOURCE_DIR "/apps/motion/tasks/",
+                    phases = "[[phase]]\n" + base + "santos_climb_phase.toml\"\n" + "[[phase]]\n" +
+                             base + "santos_rung.toml\"\n";
+  EXPECT_NE(complaint(phases).find("contact 'right foot' is let go"), std::string::npos);
 }
 
 TEST(MotionTask, PosturesHaveTheObjectiveOfTheMotionUnlessTheirOwn) {

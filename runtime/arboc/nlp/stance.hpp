@@ -34,6 +34,18 @@ struct Place {
   std::vector<Vector3> normals() const;
 };
 
+/// Where a frame is, of twelve numbers as Robot::placements gives them.
+struct Placement {
+  explicit Placement(const double* twelve)
+      : R(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(twelve)), p(twelve + 9) {}
+
+  /// In the world, of a point in the frame.
+  Vector3 operator()(const Vector3& local) const { return R * local + p; }
+
+  Eigen::Matrix3d R;
+  Vector3 p;
+};
+
 /// An axis of a frame points along a direction of the world.
 struct Alignment {
   Vector3 axis, direction;
