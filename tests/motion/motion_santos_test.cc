@@ -38,6 +38,7 @@ TEST(SantosMotion, LeansWithFullDynamics) {
   EXPECT_EQ(r.stages.front().contact_frames, 17);
   for (const Eigen::Index k : {Eigen::Index(0), r.samples.t.size() / 3, r.samples.t.size() / 2})
     expect_reference_agrees(t, r, k);
+  expect_same_reactions(t, r);
 }
 
 TEST(SantosMotion, PullsHisHeadOverTheBar) {

@@ -15,6 +15,25 @@ inline motion::Result solve_motion(const motion::Task& t) {
   return motion::predict(t, posture::model(t.model));
 }
 
+/// Reactions of a motion that is given, on its own bases, a convex problem.
+inline motion::Result reactions_of(const motion::Task& t, const motion::Motion& given) {
+  motion::Options options;
+  options.from = given;
+  options.reactions_only = true;
+  return motion::predict(t, posture::model(t.model), options);
+}
+
+/// The problem of reactions alone is that of both where the motion is the optimum: same reactions.
+/// What is left of 1e-4 N is KKT error, of both solutions.
+inline void expect_same_reactions(const motion::Task& t, const motion::Result& both) {
+  const motion::Result given = reactions_of(t, *both.motion);
+  EXPECT_EQ(given.status, nlp::Status::kOptimal) << given.reason;
+  EXPECT_LT(given.stages[0].iterations, 15);
+  EXPECT_LE(given.stages[0].kkt_error, 1e-9);
+  EXPECT_EQ((given.motion->q.points() - both.motion->q.points()).cwiseAbs().maxCoeff(), 0);
+  EXPECT_LT((given.samples.reactions - both.samples.reactions).cwiseAbs().maxCoeff(), 1e-4);
+}
+
 inline void expect_moves(const motion::Task& t, const motion::Result& r) {
   EXPECT_EQ(r.status, nlp::Status::kOptimal) << t.name << ": " << r.reason;
   ASSERT_FALSE(r.stages.empty());
