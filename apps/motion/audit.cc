@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <arboc/measures/torque.hpp>
 #include <cmath>
+#include <set>
 
 namespace motion {
 namespace {
@@ -39,6 +40,21 @@ VectorXd in_world(const Task& task, const Robot& robot, const VectorXd& own,
     world.segment<3>(at + 3) = R * own.segment<3>(at + 3);
   }
   return world;
+}
+
+/// Reactions along the contacts' axes, and loads, into wrenches of the dynamics; reactions along
+/// the world's axes.
+VectorXd push(const Task& task, const Robot& robot, const VectorXd& reactions,
+              const double* placements, double* wrenches) {
+  const VectorXd R = in_world(task, robot, reactions, placements);
+  const std::vector<Contact>& contacts = task.start.posture.contacts;
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    add_wrench(robot, contacts[c].frame, contacts[c].point, placements,
+               R.segment<3>(static_cast<Eigen::Index>(6 * c)),
+               R.segment<3>(static_cast<Eigen::Index>(6 * c + 3)), wrenches);
+  for (const Load& load : task.start.posture.loads)
+    add_wrench(robot, load.frame, load.point, placements, load.force, Vector3::Zero(), wrenches);
+  return R;
 }
 
 /// How far a point is off its place, m.
@@ -87,23 +103,47 @@ Samples sample(const Task& task, const Model& model, const Motion& motion, int c
   robot.placements->values(count, q.data(), placements.data());
   Rows inputs = Rows::Zero(count, robot.dynamics->inputs());
   inputs.leftCols(3 * n) << s.q, s.v, s.a;
-  const std::vector<Contact>& contacts = task.start.posture.contacts;
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const double* at = placements.row(k).data();
-    double* wrenches = inputs.row(k).data() + 3 * n;
-    const VectorXd R = in_world(task, robot, motion.reactions(s.t[k]), at);
-    s.reactions.row(k) = R.transpose();
-    for (std::size_t c = 0; c < contacts.size(); ++c)
-      add_wrench(robot, contacts[c].frame, contacts[c].point, at,
-                 R.segment<3>(static_cast<Eigen::Index>(6 * c)),
-                 R.segment<3>(static_cast<Eigen::Index>(6 * c + 3)), wrenches);
-    for (const Load& load : task.start.posture.loads)
-      add_wrench(robot, load.frame, load.point, at, load.force, Vector3::Zero(), wrenches);
-  }
+  for (Eigen::Index k = 0; k < count; ++k)
+    s.reactions.row(k) = push(task, robot, motion.reactions(s.t[k]), placements.row(k).data(),
+                              inputs.row(k).data() + 3 * n)
+                             .transpose();
   robot.dynamics->values(count, inputs.data(), tau.data());
   s.tau = tau;
   s.placements = placements;
   return s;
+}
+
+double largest_normalised(const Task& task, const Model& model, const State& state) {
+  const Robot& robot = model.robot;
+  const Eigen::Index n = state.q.size();
+  VectorXd placements(robot.placements->outputs()), tau(n);
+  robot.placements->values(1, state.q.data(), placements.data());
+  VectorXd inputs = VectorXd::Zero(robot.dynamics->inputs());
+  inputs.head(3 * n) << state.q, state.v, state.a;
+  push(task, robot, state.reactions, placements.data(), inputs.data() + 3 * n);
+  robot.dynamics->values(1, inputs.data(), tau.data());
+  double largest = 0;
+  for (std::size_t i = 0; i < model.passive.size(); ++i)
+    if (!model.passive[i] && std::isfinite(robot.tau_upper[i]))
+      largest = std::max(largest, arboc::normalised_torque(tau[static_cast<Eigen::Index>(i)],
+                                                           robot.tau_lower[i], robot.tau_upper[i]));
+  return largest;
+}
+
+std::vector<double> torque_peaks(const Model& model, const Samples& s, double above) {
+  const Robot& robot = model.robot;
+  std::set<Eigen::Index> found;
+  for (std::size_t i = 0; i < model.passive.size(); ++i) {
+    if (model.passive[i] || !std::isfinite(robot.tau_upper[i])) continue;
+    const VectorXd n = s.tau.col(static_cast<Eigen::Index>(i)).unaryExpr([&](double tau) {
+      return arboc::normalised_torque(tau, robot.tau_lower[i], robot.tau_upper[i]);
+    });
+    for (Eigen::Index k = 1; k + 1 < n.size(); ++k)
+      if (n[k] > above && n[k] >= n[k - 1] && n[k] >= n[k + 1]) found.insert(k);
+  }
+  std::vector<double> instants;
+  for (const Eigen::Index k : found) instants.push_back(s.t[k]);
+  return instants;
 }
 
 std::vector<bool> translations(const Model& model) {

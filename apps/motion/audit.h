@@ -43,6 +43,11 @@ struct Audit {
 };
 Audit audit(const Task& task, const Model& model, const Samples& samples);
 
+/// The largest torque over its limit in a state.
+double largest_normalised(const Task& task, const Model& model, const State& state);
+/// Instants between the ends at which a torque over its limit is largest for a while, and `above`.
+std::vector<double> torque_peaks(const Model& model, const Samples& samples, double above);
+
 /// Coordinates that move without turning: their forces are in N.
 std::vector<bool> translations(const Model& model);
 

@@ -1,4 +1,4 @@
-#include "build.h"
+#include "audit.h"
 
 #include <posture/build.h>
 #include <algorithm>
@@ -47,7 +47,7 @@ class Builder {
     add_regularity();
     if (task_.objective.maximum > 0) add_maximum();
     out_.nlp = std::make_unique<Assembly>(std::move(problem_));
-    narrow_torques();
+    if (!task_.start.posture.torque_limits) free_torques();
     if (!out_.frames.exact) widen();
     return std::move(out_);
   }
@@ -215,10 +215,13 @@ class Builder {
     if (weight > 0) problem_.minimise(name, weight, quadratic(2 * mean_square(basis, k)), points);
   }
 
-  /// s >= n at all frames.
+  /// s >= n at all frames, and at ends where torques are known.
   void add_maximum() {
+    double least = 0;
+    for (std::size_t e = 0; e < 2; ++e)
+      if (ends_.given[e]) least = std::max(least, largest_normalised(task_, model_, ends_.at[e]));
     const Quantities s =
-        problem_.add_variables("largest normalised torque", "1", {{0, kInfinity, 1}});
+        problem_.add_variables("largest normalised torque", "1", {{least, kInfinity, 1}});
     const int group = problem_.add_group("largest normalised torque", "1");
     for (const Quantities& tau : tau_) {
       for (int k = 0; k < tau.size(); ++k) {
@@ -232,17 +235,10 @@ class Builder {
     out_.maximum = s[0].index;
   }
 
-  /// Limits of torques at frames, where the task has some and where a margin is left.
-  void narrow_torques() {
-    const bool limits = task_.start.posture.torque_limits;
-    if (limits && task_.torque_margin == 0) return;
-    for (const Quantities& tau : tau_) {
-      for (int k = 0; k < tau.size(); ++k) {
-        const int i = driven_[static_cast<std::size_t>(k)];
-        const double part = limits ? 1 - task_.torque_margin : kInfinity;
-        out_.nlp->set_variable(tau[k].index, part * lower(i), part * upper(i));
-      }
-    }
+  void free_torques() {
+    for (const Quantities& tau : tau_)
+      for (int k = 0; k < tau.size(); ++k)
+        out_.nlp->set_variable(tau[k].index, -kInfinity, kInfinity);
   }
 
   void widen() {

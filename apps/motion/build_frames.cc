@@ -30,6 +30,12 @@ std::vector<Frames::Frame> greville_frames(const Ends& ends, const BSplineBasis&
   return all;
 }
 
+/// Frames of torques only, without a share in means, so that these stay what they are.
+void watch(const std::vector<double>& instants, std::vector<Frames::Frame>& all) {
+  for (const double t : instants) all.push_back({t, false, false, 0});
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
+}
+
 }  // namespace
 
 Frames frames_of(const Task& task, const Ends& ends, const BSplineBasis& q,
@@ -58,6 +64,7 @@ Frames frames_of(const Task& task, const Ends& ends, const BSplineBasis& q,
     const double after = k + 1 == n ? q.end() : frames.all[k + 1].t;
     frames.all[k].weight = (after - before) / 2 / (q.end() - q.begin());
   }
+  watch(task.watched, frames.all);
   return frames;
 }
 

@@ -14,7 +14,10 @@ using Clock = std::chrono::steady_clock;
 using Eigen::VectorXd;
 
 constexpr int kAuditPerFrame = 10, kLeastInstants = 401;
-constexpr double kMostMargin = 0.1;  ///< of torque limits
+/// Least maxima are met between frames to this part; rounds of more frames of torques until they
+/// are.
+constexpr double kPeak = 1e-4;
+constexpr int kMostRounds = 12;
 /// KKT error of reactions alone.  Regularity decides on those that ask for no torques; its
 /// curvature is 2e-6 an (100 N)^2, so that 1e-6 leaves up to some N open.  One iteration more than
 /// 1e-6 takes.
@@ -197,6 +200,7 @@ Motion solve_problem(const Task& task, const Model& model, const Ends& ends, con
   stage.iterations = s.iterations;
   stage.objective = s.objective;
   stage.kkt_error = s.kkt_error;
+  if (built.maximum >= 0) stage.maximum = s.x[static_cast<std::size_t>(built.maximum)];
   stage.violation = s.violation;
   stage.cpu_seconds = s.cpu_seconds;
   stage.derivative_seconds = s.derivative_seconds;
@@ -244,21 +248,41 @@ class Predictor {
       motion = solve_stage("smooth", smooth, guess);
       if (good()) motion = solve_stage("objective", task_, motion);
     }
-    while (good() && !result_.audit_passes &&
-           2 * motion.q.basis().size() - task_.curves.degree <= task_.search.most_control_points)
-      motion = refine(motion);
+    for (int round = 0; good() && !stopped_; ++round) {
+      const std::vector<double> peaks = peaks_between_frames();
+      const bool watch = !peaks.empty() && round < kMostRounds;
+      const bool finer = !result_.audit_passes && !(watch && balanced());
+      if (finer &&
+          2 * motion.q.basis().size() - task_.curves.degree > task_.search.most_control_points)
+        break;
+      if (!watch && !finer) break;
+      task_.watched.insert(task_.watched.end(), peaks.begin(), peaks.end());
+      motion = finer ? refine(motion) : solve_stage("watched", task_, motion);
+    }
     conclude(motion);
     result_.seconds = seconds_since(begin);
     return std::move(result_);
   }
 
  private:
-  /// With every span halved, and torques kept as far off their limits as they were beyond.
+  /// Where torques between frames are beyond what frames allow: their limits by more than the
+  /// audit lets pass, or a maximum that shall be least.
+  std::vector<double> peaks_between_frames() const {
+    const double at_frames = result_.stages.back().maximum;
+    if (at_frames > 0) return torque_peaks(model_, result_.samples, (1 + kPeak) * at_frames);
+    if (!task_.start.posture.torque_limits) return {};
+    return torque_peaks(model_, result_.samples, 1 + task_.tolerance.torque);
+  }
+  /// The audit passes but for torques.
+  bool balanced() const {
+    Audit but_torques = result_.stages.back().audit;
+    but_torques.torque_excess = {};
+    return but_torques.passes(task_.tolerance);
+  }
+
+  /// With every span halved.
   Motion refine(const Motion& motion) {
     task_.search.frames *= 2;
-    const double excess = result_.stages.back().audit.torque_excess.value;
-    if (excess > task_.tolerance.torque)
-      task_.torque_margin = std::min(task_.torque_margin + excess, kMostMargin);
     return solve_stage("refined", task_, {motion.q.refined(), motion.reactions.refined()});
   }
 

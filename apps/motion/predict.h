@@ -16,6 +16,7 @@ struct Stage {
   std::size_t variables = 0, rows = 0, jacobian = 0, hessian = 0;  ///< sizes and entries
   int iterations = 0;
   double objective = 0, kkt_error = 0, violation = 0;
+  double maximum = 0;  ///< of n at frames and ends, where that is part of the objective
   double seconds = 0, cpu_seconds = 0, build_seconds = 0;
   double derivative_seconds = 0, hessian_seconds = 0;
   arboc::nlp::EvaluationTime time{};

@@ -66,7 +66,7 @@ struct Task {
   Objective objective{};
   Tolerance tolerance{};
   Search search{};
-  double torque_margin = 0;  ///< part of the limits that is kept free at frames
+  std::vector<double> watched{};  ///< s: instants at which torques are looked at besides frames
 };
 
 /// Motions of which each begins in the state in which the one before ended.

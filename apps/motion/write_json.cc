@@ -53,6 +53,7 @@ Json json_of(const Stage& s) {
           {"hessian_entries", s.hessian},
           {"iterations", s.iterations},
           {"objective", s.objective},
+          {"maximum", s.maximum},
           {"kkt_error", s.kkt_error},
           {"violation", s.violation},
           {"seconds", s.seconds},

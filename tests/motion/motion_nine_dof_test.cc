@@ -15,34 +15,62 @@ TEST(NineDofMotion, AllCasesSolveAndPassTheAudit) {
       const motion::Result r = solve_motion(t);
       expect_moves(t, r);
       EXPECT_GE(r.audit.instants, 401);
+      // In the document more than five frames with dynamics had no solution.
+      const int frames = t.search.frames > 0 ? t.search.frames : 6;
+      EXPECT_EQ(r.stages.front().contact_frames, frames);
     }
   }
 }
 
-/// In the document more than five frames with dynamics had no solution.
-TEST(NineDofMotion, FortyFramesAreNoTrouble) {
-  for (const int trial : {7, 8}) {
-    const motion::Task t = motion_task(name(trial, 4));
-    const motion::Result r = solve_motion(t);
-    expect_moves(t, r);
-    EXPECT_EQ(r.stages.back().contact_frames, trial == 7 ? 20 : 40);
-  }
-}
-
-/// With more time the peak tends to that of motions at rest (in the document it did not).
-TEST(NineDofMotion, PeakTorqueTendsToThatOfRestWithDuration) {
-  std::vector<double> peaks;
-  for (const double duration : {5.0, 30.0, 100.0, 300.0}) {
-    motion::Task t = motion_task("nine_dof_trial3_obj4");
+struct Peaks {
+  std::vector<double> at;
+  double at_rest = 0;  ///< of the postures at the ends
+};
+Peaks peaks(int objective, const std::vector<double>& durations) {
+  Peaks out;
+  for (const double duration : durations) {
+    motion::Task t = motion_task(name(3, objective));
     t.duration = duration;
     const motion::Result r = solve_motion(t);
     expect_moves(t, r);
-    peaks.push_back(r.audit.largest_normalised);
-    // Never below what the postures at the ends ask for.
-    EXPECT_GE(peaks.back(), r.start.max_normalised_torque - 1e-9);
+    out.at.push_back(r.audit.largest_normalised);
+    out.at_rest = std::max(r.start.max_normalised_torque, r.end.max_normalised_torque);
+    EXPECT_GE(out.at.back(), out.at_rest * (1 - 1e-9)) << duration;
   }
-  EXPECT_NEAR(peaks[1], peaks[3], 1e-3 * peaks[3]);
-  EXPECT_NEAR(peaks[2], peaks[3], 1e-4 * peaks[3]);
+  return out;
+}
+
+/// With more time the least peak falls to that of rest, and stays there (in the document it rose).
+/// Between frames it is met to a part of 1e-4.
+TEST(NineDofMotion, LeastPeakTorqueFallsWithDurationToThatOfRest) {
+  const Peaks p = peaks(4, {0.3, 0.4, 1, 2, 5, 30, 100, 300});
+  EXPECT_LT(1.4 * p.at[1], p.at[0]);
+  EXPECT_LT(1.002 * p.at[2], p.at[1]);
+  for (std::size_t k = 2; k < p.at.size(); ++k) {
+    EXPECT_LE(p.at[k], p.at[k - 1] * (1 + 1e-4)) << k;
+    EXPECT_LE(p.at[k], p.at_rest * (1 + 1.01e-4)) << k;
+  }
+}
+
+/// So does that of the motion with the least mean of squares, of which rest at the ends is the
+/// most.
+TEST(NineDofMotion, PeakTorqueOfLeastSquaresFallsWithDurationToThatOfRest) {
+  const Peaks p = peaks(3, {0.25, 0.3, 0.4, 0.5, 1, 2, 5, 30, 100, 300});
+  for (std::size_t k = 1; k < 4; ++k) EXPECT_LT(1.05 * p.at[k], p.at[k - 1]) << k;
+  for (std::size_t k = 3; k < p.at.size(); ++k) EXPECT_NEAR(p.at[k], p.at_rest, 1e-9) << k;
+}
+
+/// A known maximum at an end is part of the maximum that is made small.
+TEST(NineDofMotion, TheMaximumCountsTheEnds) {
+  motion::Task t = motion_task("nine_dof_trial3_obj4");
+  t.duration = 0.5;
+  const motion::Model& model = posture::model(t.model);
+  posture::Result start, end;
+  const motion::Ends ends = motion::predict_ends(t, model, start, end);
+  EXPECT_NEAR(motion::largest_normalised(t, model, ends.at[0]), start.max_normalised_torque, 1e-9);
+  const motion::Built built = motion::build(t, model, ends, motion::first_guess(t, ends));
+  EXPECT_NEAR(built.nlp->variables().lower[static_cast<std::size_t>(built.maximum)],
+              std::max(start.max_normalised_torque, end.max_normalised_torque), 1e-9);
 }
 
 /// Newton's law for the whole body: sum of forces = weight + m * acceleration of its centre.
