@@ -169,13 +169,14 @@ std::vector<bool> translations(const Model& model) {
 
 bool Audit::passes(const Tolerance& t) const {
   return force.value <= t.force && moment.value <= t.moment && drift.value <= t.drift &&
-         torque_excess.value <= t.torque;
+         torque_excess.value <= t.torque && overlap.value <= t.drift;
 }
 
 void Audit::add(const Audit& other, double later) {
   instants += other.instants;
-  for (const auto worst : {&Audit::force, &Audit::moment, &Audit::drift, &Audit::turn,
-                           &Audit::torque_excess, &Audit::joint_excess, &Audit::friction_excess}) {
+  for (const auto worst :
+       {&Audit::force, &Audit::moment, &Audit::drift, &Audit::turn, &Audit::torque_excess,
+        &Audit::joint_excess, &Audit::friction_excess, &Audit::overlap}) {
     const Worst& of = other.*worst;
     (this->*worst).note(of.value, of.time + later, of.where);
   }
@@ -187,7 +188,11 @@ namespace {
 class Auditor {
  public:
   Auditor(const Task& task, const Model& model, const Samples& samples)
-      : task_(task), model_(model), s_(samples), translation_(translations(model)) {}
+      : task_(task),
+        model_(model),
+        s_(samples),
+        translation_(translations(model)),
+        pairs_(posture::pairs(task.start.posture)) {}
 
   Audit run() {
     out_.instants = static_cast<int>(s_.t.size());
@@ -195,6 +200,7 @@ class Auditor {
       balance(k);
       torques(k);
       for (std::size_t c = 0; c < task_.start.posture.contacts.size(); ++c) contact(k, c);
+      if (!pairs_.empty()) spheres(k);
     }
     return out_;
   }
@@ -242,10 +248,22 @@ class Auditor {
                               contact.name);
   }
 
+  void spheres(Eigen::Index k) {
+    const VectorXd q = s_.q.row(k).transpose();
+    const std::vector<double> gaps =
+        posture::gaps(task_.start.posture, model_, pairs_, {q.data(), q.data() + q.size()});
+    const auto& names = task_.start.posture.collision.spheres;
+    for (std::size_t i = 0; i < gaps.size(); ++i)
+      out_.overlap.note(-gaps[i], s_.t[k],
+                        names[static_cast<std::size_t>(pairs_[i].first)].name + ", " +
+                            names[static_cast<std::size_t>(pairs_[i].second)].name);
+  }
+
   const Task& task_;
   const Model& model_;
   const Samples& s_;
   std::vector<bool> translation_;
+  std::vector<posture::Pair> pairs_;
   Audit out_;
 };
 

@@ -35,6 +35,7 @@ struct Audit {
   Worst torque_excess;    ///< beyond the limit, as part of it
   Worst joint_excess;     ///< beyond limits of coordinates: rad, m
   Worst friction_excess;  ///< outside of friction cones: N
+  Worst overlap;          ///< of spheres: m
   double largest_normalised = 0;
 
   bool passes(const Tolerance& t) const;

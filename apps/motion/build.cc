@@ -131,7 +131,8 @@ class Builder {
     for (const Load& load : task_.start.posture.loads) stance.add(load);
     if (holds) add_collisions(stance, t);
     for (const posture::Look& look : task_.start.posture.looks)
-      if (holds && look.within) add_look(stance, look);
+      if (holds && look.within)
+        stance.add_cone(look.name, {look.axis, look.direction}, look.frame, *look.within);
     stance.finish(frame.balances);
     driven_ = stance.driven();
     tau_.push_back(stance.tau());
@@ -149,13 +150,6 @@ class Builder {
     }
   }
 
-  void add_look(Stance& stance, const posture::Look& look) {
-    const AffineVector a = stance.direction(look.frame, look.axis);
-    const Vector3& d = look.direction;
-    problem_.require(problem_.add_group(look.name, "1"), d.x() * a[0] + d.y() * a[1] + d.z() * a[2],
-                     std::cos(*look.within), kInfinity);
-  }
-
   /// Pairs of spheres that are closer than the margin in the guess.
   void add_collisions(Stance& stance, double t) {
     const posture::Collision& collision = task_.start.posture.collision;
@@ -164,20 +158,10 @@ class Builder {
     const VectorXd q = guess_.q(t);
     const std::vector<double> gaps =
         posture::gaps(task_.start.posture, model_, pairs, {q.data(), q.data() + q.size()});
-    const int group = problem_.add_group("collision", "m^2");
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      if (gaps[k] > collision.margin) continue;
-      const posture::Sphere &a = collision.spheres[static_cast<std::size_t>(pairs[k].first)],
-                            &b = collision.spheres[static_cast<std::size_t>(pairs[k].second)];
-      const AffineVector p = centre(stance, a), s = centre(stance, b);
-      const double least = (a.radius + b.radius) * (a.radius + b.radius);
-      problem_.require(group, squared_norm(3), {p[0] - s[0], p[1] - s[1], p[2] - s[2]}, {}, least,
-                       kInfinity, least);
-    }
-  }
-  static AffineVector centre(Stance& stance, const posture::Sphere& s) {
-    if (s.frame.empty()) return {s.centre.x(), s.centre.y(), s.centre.z()};
-    return stance.point(s.frame, s.centre);
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+      if (gaps[k] <= collision.margin)
+        stance.add_distance(collision.spheres[static_cast<std::size_t>(pairs[k].first)],
+                            collision.spheres[static_cast<std::size_t>(pairs[k].second)]);
   }
 
   void add_via(const Via& via) {
@@ -220,19 +204,15 @@ class Builder {
     double least = 0;
     for (std::size_t e = 0; e < 2; ++e)
       if (ends_.given[e]) least = std::max(least, largest_normalised(task_, model_, ends_.at[e]));
-    const Quantities s =
-        problem_.add_variables("largest normalised torque", "1", {{least, kInfinity, 1}});
-    const int group = problem_.add_group("largest normalised torque", "1");
-    for (const Quantities& tau : tau_) {
+    std::vector<LimitedTorque> torques;
+    for (const Quantities& tau : tau_)
       for (int k = 0; k < tau.size(); ++k) {
         const int i = driven_[static_cast<std::size_t>(k)];
-        if (!std::isfinite(upper(i))) continue;
-        problem_.require(group, (1 / upper(i)) * Affine(tau[k]) - s[0], -kInfinity, 0);
-        problem_.require(group, (1 / lower(i)) * Affine(tau[k]) - s[0], -kInfinity, 0);
+        if (std::isfinite(upper(i))) torques.push_back({tau[k], lower(i), upper(i)});
       }
-    }
-    problem_.minimise("maximum", task_.objective.maximum, s[0]);
-    out_.maximum = s[0].index;
+    const Quantity s = add_largest_normalised(problem_, torques, least);
+    problem_.minimise("maximum", task_.objective.maximum, s);
+    out_.maximum = s.index;
   }
 
   void free_torques() {

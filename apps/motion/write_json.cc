@@ -31,6 +31,7 @@ Json json_of(const Audit& a) {
           {"torque_excess", a.torque_excess.value},
           {"joint_excess", a.joint_excess.value},
           {"friction_excess_N", a.friction_excess.value},
+          {"overlap_mm", 1e3 * a.overlap.value},
           {"largest_normalised_torque", a.largest_normalised},
           {"worst",
            {{"force", when(a.force)},

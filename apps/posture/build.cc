@@ -17,11 +17,6 @@ bool ignored(const Collision& c, const Sphere& a, const Sphere& b) {
   });
 }
 
-AffineVector centre(Stance& stance, const Sphere& s) {
-  if (s.frame.empty()) return {s.centre.x(), s.centre.y(), s.centre.z()};
-  return stance.point(s.frame, s.centre);
-}
-
 class Builder {
  public:
   Builder(const Task& task, const Model& model, const BuildOptions& options)
@@ -63,8 +58,7 @@ class Builder {
     const Vector3& d = look.direction;
     const Affine along = d.x() * a[0] + d.y() * a[1] + d.z() * a[2];
     if (look.within)
-      problem_.require(problem_.add_group(look.name, "1"), along, std::cos(*look.within),
-                       kInfinity);
+      stance_.add_cone(look.name, {look.axis, look.direction}, look.frame, *look.within);
     if (look.weight == 0) return;
     if (!look.at) return problem_.minimise(look.name, look.weight, 1.0 - along);
     const AffineVector eye = stance_.point(look.frame, look.eye);
@@ -75,16 +69,9 @@ class Builder {
   }
 
   void add_collisions() {
-    if (options_.pairs.empty()) return;
-    const int group = problem_.add_group("collision", "m^2");
-    for (const auto& [i, j] : options_.pairs) {
-      const Sphere &a = task_.collision.spheres[static_cast<std::size_t>(i)],
-                   &b = task_.collision.spheres[static_cast<std::size_t>(j)];
-      const AffineVector p = centre(stance_, a), q = centre(stance_, b);
-      const double least = (a.radius + b.radius) * (a.radius + b.radius);
-      problem_.require(group, squared_norm(3), {p[0] - q[0], p[1] - q[1], p[2] - q[2]}, {}, least,
-                       kInfinity, least);
-    }
+    const std::vector<Sphere>& s = task_.collision.spheres;
+    for (const auto& [i, j] : options_.pairs)
+      stance_.add_distance(s[static_cast<std::size_t>(i)], s[static_cast<std::size_t>(j)]);
   }
 
   void add_symmetry() {
@@ -138,18 +125,15 @@ class Builder {
                       tau);
   }
 
-  /// s >= n_i, the epigraph: L s <= tau <= U s.
   void add_maximum(const std::vector<int>& limited) {
-    const Quantities s =
-        problem_.add_variables("largest normalised torque", "1", {{0, kInfinity, 1}});
-    const int group = problem_.add_group("largest normalised torque", "1");
+    std::vector<LimitedTorque> torques;
     for (const int k : limited) {
       const int i = stance_.driven()[static_cast<std::size_t>(k)];
-      problem_.require(group, (1 / upper(i)) * Affine(stance_.tau()[k]) - s[0], -kInfinity, 0);
-      problem_.require(group, (1 / lower(i)) * Affine(stance_.tau()[k]) - s[0], -kInfinity, 0);
+      torques.push_back({stance_.tau()[k], lower(i), upper(i)});
     }
-    problem_.minimise("maximum", task_.objective.maximum, s[0]);
-    out_.maximum = s[0].index;
+    const Quantity s = add_largest_normalised(problem_, torques);
+    problem_.minimise("maximum", task_.objective.maximum, s);
+    out_.maximum = s.index;
   }
 
   double lower(int i) const { return model_.robot.tau_lower[static_cast<std::size_t>(i)]; }
@@ -217,9 +201,7 @@ std::vector<double> gaps(const Task& task, const Model& model, const std::vector
   const auto place = [&](int k) -> Vector3 {
     const Sphere& s = task.collision.spheres[static_cast<std::size_t>(k)];
     if (s.frame.empty()) return s.centre;
-    const double* at = placements.data() + 12 * model.robot.frame(s.frame);
-    return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(at) * s.centre +
-           Vector3(at + 9);
+    return Placement(placements.data() + 12 * model.robot.frame(s.frame))(s.centre);
   };
   std::vector<double> out;
   for (const auto& [i, j] : pairs)

@@ -61,8 +61,8 @@ void add_reactions(const Task& task, const Model& model, const Built& built,
     for (int i = 0; i < 6; ++i)
       r[static_cast<std::size_t>(i)] = x[static_cast<std::size_t>(built.reactions[c][i].index)];
     if (task.contacts[c].own_axes) {
-      const double* R = placements.data() + 12 * model.robot.frame(task.contacts[c].frame);
-      const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> turn(R);
+      const Eigen::Matrix3d turn =
+          Placement(placements.data() + 12 * model.robot.frame(task.contacts[c].frame)).R;
       Eigen::Map<Eigen::Vector3d> f(r.data()), n(r.data() + 3);
       f = (turn * f).eval();
       n = (turn * n).eval();

@@ -29,10 +29,8 @@ struct Look {
   std::optional<double> within{};  ///< rad: at most so far off
 };
 
-struct Sphere {
-  std::string name, frame;  ///< without a frame it stands in the world
-  Vector3 centre = Vector3::Zero();
-  double radius = 0;
+struct Sphere : arboc::nlp::Ball {
+  std::string name{};
   std::string part{};  ///< spheres of one part do not collide
 };
 

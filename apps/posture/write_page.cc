@@ -70,10 +70,8 @@ class Drawing {
   /// From the point of a contact along the force on the body.
   std::array<Vector3, 2> arrow(std::size_t c) const {
     const arboc::nlp::Contact& contact = task_.contacts[c];
-    const double* R = at_.data() + 12 * model_.robot.frame(contact.frame);
-    const Vector3 p =
-        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R) * contact.point +
-        Vector3(R + 9);
+    const arboc::nlp::Placement at(at_.data() + 12 * model_.robot.frame(contact.frame));
+    const Vector3 p = at(contact.point);
     return {p, p + kMetrePerNewton * Vector3(result_.reactions[c].data())};
   }
   void include(const Vector3& p) {

@@ -9,8 +9,8 @@
 namespace arboc::test {
 namespace {
 
-using nlp::Function;
 using Eigen::VectorXd;
+using nlp::Function;
 
 /// Derivatives of torques are up to some 1e4; lanes and the scalar text round otherwise.
 double difference(const VectorXd& a, const VectorXd& b) {

@@ -1,6 +1,7 @@
 #include "stance.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "scalars.hpp"
@@ -133,6 +134,25 @@ int Stance::add_target(const std::string& name, const std::string& frame, const 
   return group;
 }
 
+void Stance::add_cone(const std::string& name, const Alignment& look, const std::string& frame,
+                      double within) {
+  const AffineVector a = direction(frame, look.axis);
+  problem_.require(problem_.add_group(name, "1"), dot(look.direction, a), std::cos(within),
+                   kInfinity);
+}
+
+AffineVector Stance::centre(const Ball& ball) {
+  if (!ball.frame.empty()) return point(ball.frame, ball.centre);
+  return {ball.centre.x(), ball.centre.y(), ball.centre.z()};
+}
+
+void Stance::add_distance(const Ball& a, const Ball& b) {
+  const AffineVector p = centre(a), q = centre(b);
+  const double least = (a.radius + b.radius) * (a.radius + b.radius);
+  problem_.require(problem_.add_group("collision", "m^2"), squared_norm(3),
+                   {p[0] - q[0], p[1] - q[1], p[2] - q[2]}, {}, least, kInfinity, least);
+}
+
 /// Three of a contact's own variables along the world's axes: f = R own, by variables of their own.
 AffineVector Stance::in_world(const std::string& name, const std::string& unit,
                               const Contact& contact, const AffineVector& given) {
@@ -203,10 +223,24 @@ void Stance::add(const Contact& contact) {
 }
 
 void Stance::add_reaction(const Contact& contact, const Reaction& own) {
+  const auto nothing = [](const Affine& a) { return a.terms.empty() && a.constant == 0; };
+  if (std::all_of(own.begin(), own.end(), nothing)) return;
   const AffineVector f = in_world(contact.name + ", force", "N", contact, vector_of(own, 0));
   const AffineVector n = in_world(contact.name + ", moment", "N m", contact, vector_of(own, 3));
   apply(contact.frame, f,
         about_origin(contact.name + ", moment arm", contact.frame, contact.point, f, n));
+}
+
+Quantity add_largest_normalised(Problem& problem, const std::vector<LimitedTorque>& torques,
+                                double least) {
+  const char* name = "largest normalised torque";
+  const Quantity s = problem.add_variables(name, "1", {{least, kInfinity, 1}})[0];
+  const int group = problem.add_group(name, "1");
+  for (const LimitedTorque& t : torques) {
+    problem.require(group, (1 / t.upper) * Affine(t.tau) - s, -kInfinity, 0);
+    problem.require(group, (1 / t.lower) * Affine(t.tau) - s, -kInfinity, 0);
+  }
+  return s;
 }
 
 /// sqrt(|F_t|^2 + e^2) <= mu F_n: never outside of the cone, smooth at its apex.

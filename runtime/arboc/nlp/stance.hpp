@@ -75,6 +75,13 @@ struct Load {
   Vector3 force = Vector3::Zero();  ///< world axes, N
 };
 
+/// A ball on the body; without a frame it stands in the world.
+struct Ball {
+  std::string frame;
+  Vector3 centre = Vector3::Zero();  ///< in the frame, m
+  double radius = 0;
+};
+
 /// What of a robot at rest a problem is about.
 enum class Aspect {
   kAll,         ///< posture, reactions, torques
@@ -116,6 +123,11 @@ class Stance {
   /// Rows of a place and of alignments, as a group; its index.
   int add_target(const std::string& name, const std::string& frame, const Vector3& local,
                  const Place& place, const std::vector<Alignment>& align = {});
+  /// The row a.d >= cos(within) of an axis of a frame and a direction of the world, a group `name`.
+  void add_cone(const std::string& name, const Alignment& look, const std::string& frame,
+                double within);
+  /// The row |p - q|^2 >= (r + s)^2 of two balls, in group `collision`.
+  void add_distance(const Ball& a, const Ball& b);
   /// After all contacts and loads: the rows of torques, and unless told otherwise those of passive
   /// coordinates.
   void finish(bool balance = true);
@@ -127,6 +139,7 @@ class Stance {
   const std::vector<Quantities>& reactions() const { return reactions_; }
 
  private:
+  AffineVector centre(const Ball& ball);
   void add_rows(int group, const AffineVector& p, const Place& place);
   void add_rows(int group, const std::string& frame, const std::vector<Alignment>& align);
   AffineVector in_world(const std::string& name, const std::string& unit, const Contact& contact,
@@ -152,6 +165,15 @@ class Stance {
 std::vector<Interval> reaction_range(const Contact& contact);
 /// The row of its friction cone, if it has one.
 void add_friction(Problem& problem, const Contact& contact, const Reaction& reaction);
+/// A torque that has limits.
+struct LimitedTorque {
+  Quantity tau;
+  double lower, upper;
+};
+/// A variable s that is at least `least` and at least each tau / limit, by rows L s <= tau <= U s;
+/// both groups are `largest normalised torque`.
+Quantity add_largest_normalised(Problem& problem, const std::vector<LimitedTorque>& torques,
+                                double least = 0);
 /// What counts as 1 of forces and moments, N and N m.
 constexpr double kForceScale = 100;
 
