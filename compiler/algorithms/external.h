@@ -76,66 +76,105 @@ ARBOC_COLD void subtract_loads(const Tree& tree, const Poses<T>& pose, const Fra
   }
 }
 
-/// A coordinate between a frame and the world, and what it moves there along world axes.
+/// The loads on a body and on what it carries, along world axes.
 template <class T>
-struct LoadedColumn {
-  int body = 0;
-  int coordinate = 0;
-  double multiplier = 1;
-  Twist<T> twist;
+struct CarriedLoads {
+  bool any = false;
+  Wrench<T> sum;  ///< forces and moments as they are given, not brought to one point
+  /// Per coordinate of its joint the sum of l x f, l the linear part of the coordinate's twist.
+  Vector3<T> sweep[6];
 };
 
-/// Those of the path from body i to the world, lowest first; linear parts of the point at `x`.
+/// Those of all bodies; l is taken where the loads are given.
 template <class Tree, class T>
-std::vector<LoadedColumn<T>> loaded_columns(const Tree& tree, const Placements<T>& placement, int i,
-                                            const Vector3<T>& x) {
-  std::vector<LoadedColumn<T>> columns;
-  for (; i > 0; i = tree.body[i].parent) {
-    const auto& body = tree.body[i];
-    const BodyPlacement<T>& at = placement[i];
-    for (int d = 0; d < freedoms(body.motion); ++d) {
-      const int c = component(body.motion, d);
-      columns.push_back(
-          {i, body.v + d, body.multiplier, unit_twist(c, axis(at.row, c % 3), x - at.x)});
+std::vector<CarriedLoads<T>> carried_loads(const Tree& tree, const Placements<T>& placement,
+                                           const FrameLoads<T>& loads) {
+  const Vector3<T> zero{T(0), T(0), T(0)};
+  CarriedLoads<T> none{false, {zero, zero}, {zero, zero, zero, zero, zero, zero}};
+  std::vector<CarriedLoads<T>> carried(tree.body.size(), none);
+  for (size_t k = 0; k < loads.frames->size(); ++k) {
+    const auto& frame = tree.frame[(*loads.frames)[k]];
+    const T* w = loads.wrench + 6 * k;
+    const Vector3<T> f{w[0], w[1], w[2]}, n{w[3], w[4], w[5]};
+    const bool aligned = loads.axes == Axes::kAligned;
+    const Vector3<T> point = aligned ? frame_origin(frame, placement[frame.body]) : zero;
+    for (int i = frame.body; i > 0; i = tree.body[i].parent) {
+      const auto& body = tree.body[i];
+      CarriedLoads<T>& own = carried[i];
+      own.any = true;
+      own.sum.f += f;
+      own.sum.n += n;
+      for (int d = 0; d < freedoms(body.motion); ++d) {
+        const int c = component(body.motion, d);
+        const Vector3<T> a = axis(placement[i].row, c % 3);
+        own.sweep[d] += cross(unit_twist(c, a, point - placement[i].x).linear, f);
+      }
     }
   }
-  return columns;
+  return carried;
 }
 
 /// Adds d(-J^T wrench)/dq of loads along world axes; of local ones the wrenches that turn with the
-/// bodies contain it.  With columns s = (w, l) and j above i or on its joint
-///   world    ds_i/dq_j = s_j x s_i,              ds_j/dq_i = 0
-///   aligned  d(l_i + w_i x x)/dq_j = w_j x (l_i + w_i x x) = d(l_j + w_j x x)/dq_i.
+/// bodies contain it.  With columns s = (l, w), j above i or on its joint, sums over the loads that
+/// i carries
+///   world    d tau_i/dq_j = -w_j . (sum l_i x f + w_i x sum n) - l_j . (w_i x sum f)
+///   aligned  d tau_i/dq_j = -w_j . (sum l_i x f + w_i x sum n),  d tau_j/dq_i = -w_j . sum l_i x f
+/// so that a pair of coordinates costs the same however many loads there are.  What is zero where
+/// two axes are parallel would not cancel in the graph, so it is left out.
+template <class Tree, class T, class Square>
+struct LoadDerivatives {
+  const Tree& tree;
+  const Placements<T>& placement;
+  Square& dtau_dq;
+  bool aligned;
+
+  /// Coordinate d of body i with all above.
+  void add(int i, int d, const CarriedLoads<T>& carried) const {
+    const auto& body = tree.body[i];
+    const int c = component(body.motion, d);
+    const Vector3<T> zero{T(0), T(0), T(0)};
+    const Vector3<T> a = axis(placement[i].row, c % 3), w = c < 3 ? zero : a;
+    const Vector3<T>& sweep = carried.sweep[d];
+    const Vector3<T> turn = sweep + cross(w, carried.sum.n), f = cross(w, carried.sum.f);
+    for (int j = i; j > 0; j = tree.body[j].parent) {
+      const auto& above = tree.body[j];
+      for (int e = 0; e < freedoms(above.motion); ++e) {
+        const int g = component(above.motion, e);
+        const Vector3<T> b = axis(placement[j].row, g % 3);
+        const bool parallel = coincide(a.x, b.x) && coincide(a.y, b.y) && coincide(a.z, b.z);
+        const bool still = g < 3 || (c < 3 && parallel);
+        const double factor = body.multiplier * above.multiplier;
+        const T swept = still ? T(0) : dot(b, parallel ? sweep : turn);
+        if (aligned) {
+          subtract(factor * swept, body.v + d, above.v + e);
+          if (j < i && !still) subtract(factor * dot(b, sweep), above.v + e, body.v + d);
+        } else if (!parallel || (g >= 3 && i != j)) {
+          const Vector3<T> l = unit_twist(g, b, -placement[j].x).linear;
+          subtract(factor * (swept + dot(l, f)), body.v + d, above.v + e);
+        }
+      }
+    }
+  }
+
+ private:
+  void subtract(const T& power, int row, int col) const {
+    T& entry = dtau_dq(row, col);
+    entry = entry - power;
+  }
+};
+
 template <class Tree, class T, class Square>
 ARBOC_COLD void add_load_derivatives(const Tree& tree, Placements<T>& placement, const T* q,
                                      const FrameLoads<T>& loads, Square& dtau_dq) {
   if (loads.axes == Axes::kLocal) return;
   placement.update(tree, q);
-  const bool aligned = loads.axes == Axes::kAligned;
-  const Vector3<T> origin{T(0), T(0), T(0)};
-  for (size_t k = 0; k < loads.frames->size(); ++k) {
-    const auto& frame = tree.frame[(*loads.frames)[k]];
-    const T* w = loads.wrench + 6 * k;
-    const Vector3<T> f{w[0], w[1], w[2]}, n{w[3], w[4], w[5]};
-    const auto columns = loaded_columns(
-        tree, placement, frame.body, aligned ? frame_origin(frame, placement[frame.body]) : origin);
-    const auto add = [&](const LoadedColumn<T>& i, const LoadedColumn<T>& j, const T& power) {
-      T& entry = dtau_dq(i.coordinate, j.coordinate);
-      entry = entry - (i.multiplier * j.multiplier) * power;
-    };
-    for (const LoadedColumn<T>& i : columns) {
-      for (const LoadedColumn<T>& j : columns) {
-        if (j.body > i.body) continue;
-        const T turning = dot(cross(j.twist.angular, i.twist.angular), n);
-        if (!aligned) {
-          add(i, j, dot(cross(j.twist, i.twist).linear, f) + turning);
-          continue;
-        }
-        const T sweeping = dot(cross(j.twist.angular, i.twist.linear), f);
-        add(i, j, sweeping + turning);
-        if (j.body < i.body) add(j, i, sweeping);
-      }
-    }
+  const std::vector<CarriedLoads<T>> carried = carried_loads(tree, placement, loads);
+  const LoadDerivatives<Tree, T, Square> derivatives{tree, placement, dtau_dq,
+                                                     loads.axes == Axes::kAligned};
+  for (int i = tree.nb(); i > 0; --i) {
+    if (!carried[i].any) continue;
+    enter_block(q, tree.body[i].link, "loads");
+    for (int d = 0; d < freedoms(tree.body[i].motion); ++d) derivatives.add(i, d, carried[i]);
   }
 }
 

@@ -1,10 +1,12 @@
 #include "functions/trace.h"
 
+#include <utility>
+
 #include "derive/coordinate.h"
-#include "derive/cost.h"
 #include "derive/hessian.h"
 #include "derive/jacobian.h"
 #include "derive/reverse.h"
+#include "functions/cheaper.h"
 #include "functions/derived_signature.h"
 #include "functions/recursion.h"
 #include "functions/refuse.h"
@@ -283,22 +285,13 @@ class Tracer {
   std::vector<Pattern> patterns_;
 };
 
-int cost(const Traced& traced) {
-  const Region& region = traced.graph.regions.back();
-  std::vector<Ref> roots;
-  for (const std::vector<Ref>& result : region.results)
-    roots.insert(roots.end(), result.begin(), result.end());
-  return estimated_cost(region, roots);
-}
-
 }  // namespace
 
 Traced trace(const Request& request, const Setup& setup, const LoweringOptions& lowering) {
-  Traced traced = Tracer(request, setup, lowering).run();
+  Traced on_graph = Tracer(request, setup, lowering).run();
   const JacobianRecursion* recursion = recursion_of(request, setup);
-  if (!recursion) return traced;
-  Traced other = Tracer(request, setup, lowering).run(recursion);
-  return cost(other) < cost(traced) ? std::move(other) : std::move(traced);
+  if (!recursion) return on_graph;
+  return cheaper(std::move(on_graph), Tracer(request, setup, lowering).run(recursion));
 }
 
 }  // namespace arboc
