@@ -1,4 +1,5 @@
-#include "audit.h"
+#include "build_costs.h"
+#include "sample.h"
 
 #include <posture/build.h>
 #include <algorithm>
@@ -16,41 +17,41 @@ using Eigen::VectorXd;
 /// Half widths of the boxes where there are more frames than a curve can meet exactly.
 constexpr double kBoxForce = 1, kBoxPlace = 5e-4;  ///< N or N m; m or 1
 
-/// Integrals of products of k-th derivatives, over the duration.
-MatrixXd mean_square(const BSplineBasis& basis, int k) {
-  return MatrixXd(arboc::gram_matrix(basis, k, k)) / (basis.end() - basis.begin());
-}
-
-class Builder {
+/// Adds one phase to a problem.
+class PhaseBuilder {
  public:
-  Builder(const Task& task, const Model& model, const Ends& ends, const Motion& guess, Free free)
-      : task_(task),
+  PhaseBuilder(Problem& problem, const Model& model, const Part& part, Free free)
+      : problem_(problem),
+        task_(*part.task),
         model_(model),
         free_(free),
-        ends_(ends),
-        contacts_(task.start.posture.contacts),
-        out_{nullptr,
-             frames_of(task, ends, guess.q.basis(), guess.reactions.basis()),
-             guess.q.basis(),
-             guess.reactions.basis(),
-             {},
-             {},
-             -1},
-        guess_(guess) {}
+        ends_(*part.ends),
+        guess_(*part.guess),
+        contacts_(task_.start.posture.contacts),
+        out_{frames_of(task_, ends_, guess_.q.basis(), guess_.reactions.basis()), guess_.q.basis(),
+             guess_.reactions.basis()} {}
 
-  Built run() {
+  /// `before`: the phase to which this one is linked, or null; `share`: of its time in that of all.
+  void run(const PhaseBuilder* before, double share) {
+    share_ = share;
+    before_ = before;
     add_coordinates();
     add_reactions();
     for (const Frames::Frame& frame : out_.frames.all) add_frame(frame);
     if (free_ == Free::kAll)
       for (const Via& via : task_.vias) add_via(via);
-    add_regularity();
+    add_regularity(problem_, task_, model_, out_, {free_, share_});
     if (task_.objective.maximum > 0) add_maximum();
-    out_.nlp = std::make_unique<Assembly>(std::move(problem_));
-    if (!task_.start.posture.torque_limits) free_torques();
-    if (!out_.frames.exact) widen();
-    return std::move(out_);
   }
+  /// Of the problem that was made.
+  void finish(Assembly& nlp, bool exact) const {
+    if (!task_.start.posture.torque_limits) free_torques(nlp);
+    if (!exact) widen(nlp);
+  }
+  /// Contacts of the phase that is linked to this one: they end it too.
+  void end_with(const std::vector<Contact>& contacts) { next_contacts_ = &contacts; }
+
+  const Phase& phase() const { return out_; }
 
  private:
   /// Bounds of control points are bounds of the curve.
@@ -69,6 +70,22 @@ class Builder {
         row.push_back(i < first   ? Affine(begin(j, i))
                       : i >= last ? Affine(end(j, i - n + 3))
                                   : Affine(free[i - first]));
+      if (before_) link(static_cast<std::size_t>(j), range);
+    }
+  }
+  /// The first three points of a coordinate, from the last three of the phase before.
+  void link(std::size_t j, const Interval& range) {
+    const Eigen::Matrix3d E = linked_points(before_->out_.q_basis, out_.q_basis);
+    const std::vector<Affine>& from = before_->out_.q.points[j];
+    for (std::size_t i = 0; i < 3; ++i) {
+      Affine& point = out_.q.points[j][i];
+      point = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (const double e = E(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)); e != 0)
+          point += e * from[from.size() - 3 + k];
+      if (!point.terms.empty() && std::isfinite(range.upper - range.lower))
+        problem_.require(problem_.add_group("joint limits at joints of phases", "rad, m"), point,
+                         range.lower, range.upper);
     }
   }
 
@@ -84,11 +101,9 @@ class Builder {
   void add_reactions() {
     const int n = out_.r_basis.size();
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      const std::vector<Interval> range = reaction_range(contacts_[c]),
-                                  last = reaction_range(task_.end.posture.contacts[c]);
-      for (std::size_t i = 0; i < 6; ++i)
-        add_reaction(6 * c + i, contacts_[c].name, range[i], last[i]);
-      for (int k = 0; k < n; ++k) {
+      const std::vector<Interval> range = reaction_range(contacts_[c]), last = range_at_end(c);
+      for (std::size_t i = 0; i < 6; ++i) add_reaction(c, i, range[i], last[i]);
+      for (int k = before_ ? 1 : 0; k < n; ++k) {
         Reaction reaction;
         for (std::size_t i = 0; i < 6; ++i)
           reaction[i] = out_.r.points[6 * c + i][static_cast<std::size_t>(k)];
@@ -98,22 +113,42 @@ class Builder {
       }
     }
   }
-  /// `last`: limits at the end, which may be narrower there.
-  void add_reaction(std::size_t component, const std::string& name, const Interval& range,
-                    const Interval& last) {
+  /// May be narrower at the end, and is that of the phase that is linked too.
+  std::vector<Interval> range_at_end(std::size_t c) const {
+    std::vector<Interval> range = reaction_range(task_.end.posture.contacts[c]);
+    if (!next_contacts_) return range;
+    for (const Contact& next : *next_contacts_) {
+      if (next.name != contacts_[c].name) continue;
+      const std::vector<Interval> other = reaction_range(next);
+      for (std::size_t i = 0; i < 6; ++i)
+        range[i] = {std::max(range[i].lower, other[i].lower),
+                    std::min(range[i].upper, other[i].upper), range[i].scale};
+    }
+    return range;
+  }
+  void add_reaction(std::size_t c, std::size_t i, const Interval& range, const Interval& last) {
     const int n = out_.r_basis.size();
     std::vector<Affine>& row = out_.r.points.emplace_back();
-    const auto at = static_cast<Eigen::Index>(component);
+    const auto at = static_cast<Eigen::Index>(6 * c + i);
     for (int k = 0; k < n; ++k) {
-      const std::size_t e = k == 0 ? 0 : 1;
+      const int e = k == 0 ? 0 : 1;
       const Interval& here = k == n - 1 ? last : range;
       if (here.lower == here.upper)
         row.emplace_back(here.lower);
-      else if ((k == 0 || k == n - 1) && ends_.given[e])
-        row.emplace_back(ends_.at[e].reactions[at]);
+      else if (k == 0 && before_)
+        row.push_back(linked_reaction(c, i));
+      else if ((k == 0 || k == n - 1) && ends_.all(e))
+        row.emplace_back(ends_.at[static_cast<std::size_t>(e)].reactions[at]);
       else
-        row.emplace_back(problem_.add_variables(name + ", reaction limits", "N, N m", {here})[0]);
+        row.emplace_back(
+            problem_.add_variables(contacts_[c].name + ", reaction limits", "N, N m", {here})[0]);
     }
+  }
+  Affine linked_reaction(std::size_t c, std::size_t i) const {
+    for (std::size_t b = 0; b < before_->contacts_.size(); ++b)
+      if (before_->contacts_[b].name == contacts_[c].name)
+        return before_->out_.r.points[6 * b + i].back();
+    return 0;
   }
 
   void add_frame(const Frames::Frame& frame) {
@@ -136,7 +171,7 @@ class Builder {
     stance.finish(frame.balances);
     driven_ = stance.driven();
     tau_.push_back(stance.tau());
-    add_torque_costs(frame.weight);
+    add_torque_costs(share_ * frame.weight);
   }
 
   void add_torque_costs(double weight) {
@@ -172,38 +207,12 @@ class Builder {
                       via.target.align);
   }
 
-  /// What is quadratic in the curves, integrated exactly.
-  void add_regularity() {
-    const Objective& o = task_.objective;
-    const double T6 = std::pow(task_.duration, 6);
-    const std::vector<double> relaxed = posture::relaxed_of(task_.start.posture, model_);
-    for (std::size_t j = 0; j < out_.q.points.size() && free_ == Free::kAll; ++j) {
-      add_square("smoothness", o.smoothness * T6, out_.q_basis, 3, out_.q.points[j]);
-      add_square("acceleration", o.acceleration, out_.q_basis, 2, out_.q.points[j]);
-      add_square("jerk", o.jerk, out_.q_basis, 3, out_.q.points[j]);
-      if (model_.passive[j] || o.displacement == 0) continue;
-      std::vector<Affine> off = out_.q.points[j];
-      for (Affine& a : off) a.constant -= relaxed[j];
-      add_square("displacement", o.displacement, out_.q_basis, 0, off);
-    }
-    const double one = kForceScale * kForceScale;
-    for (const std::vector<Affine>& row : out_.r.points) {
-      if (std::all_of(row.begin(), row.end(), [](const Affine& a) { return a.terms.empty(); }))
-        continue;
-      add_square("reactions", o.reactions / one, out_.r_basis, 0, row);
-      add_square("smoothness of reactions", o.reaction_smoothness * T6 / one, out_.r_basis, 3, row);
-    }
-  }
-  void add_square(const std::string& name, double weight, const BSplineBasis& basis, int k,
-                  const std::vector<Affine>& points) {
-    if (weight > 0) problem_.minimise(name, weight, quadratic(2 * mean_square(basis, k)), points);
-  }
-
   /// s >= n at all frames, and at ends where torques are known.
   void add_maximum() {
     double least = 0;
     for (std::size_t e = 0; e < 2; ++e)
-      if (ends_.given[e]) least = std::max(least, largest_normalised(task_, model_, ends_.at[e]));
+      if (ends_.known[e] == Known::kAll && !(e == 0 && before_))
+        least = std::max(least, largest_normalised(task_, model_, ends_.at[e]));
     std::vector<LimitedTorque> torques;
     for (const Quantities& tau : tau_)
       for (int k = 0; k < tau.size(); ++k) {
@@ -211,18 +220,17 @@ class Builder {
         if (std::isfinite(upper(i))) torques.push_back({tau[k], lower(i), upper(i)});
       }
     const Quantity s = add_largest_normalised(problem_, torques, least);
-    problem_.minimise("maximum", task_.objective.maximum, s);
+    problem_.minimise("maximum", share_ * task_.objective.maximum, s);
     out_.maximum = s.index;
   }
 
-  void free_torques() {
+  void free_torques(Assembly& nlp) const {
     for (const Quantities& tau : tau_)
-      for (int k = 0; k < tau.size(); ++k)
-        out_.nlp->set_variable(tau[k].index, -kInfinity, kInfinity);
+      for (int k = 0; k < tau.size(); ++k) nlp.set_variable(tau[k].index, -kInfinity, kInfinity);
   }
 
-  void widen() {
-    const auto& groups = out_.nlp->row_groups();
+  void widen(Assembly& nlp) const {
+    const auto& groups = nlp.row_groups();
     for (int g = 0; g < static_cast<int>(groups.size()); ++g) {
       const std::string& name = groups[static_cast<std::size_t>(g)].name;
       const bool place = std::any_of(contacts_.begin(), contacts_.end(), [&](const Contact& c) {
@@ -233,8 +241,8 @@ class Builder {
       const auto& members = groups[static_cast<std::size_t>(g)].members;
       for (int k = 0; k < static_cast<int>(members.size()); ++k) {
         const auto row = static_cast<std::size_t>(members[static_cast<std::size_t>(k)]);
-        const double at = out_.nlp->rows().lower[row];
-        if (at == out_.nlp->rows().upper[row]) out_.nlp->set_row(g, k, at - half, at + half);
+        const double at = nlp.rows().lower[row];
+        if (at == nlp.rows().upper[row]) nlp.set_row(g, k, at - half, at + half);
       }
     }
   }
@@ -242,23 +250,46 @@ class Builder {
   double lower(int i) const { return model_.robot.tau_lower[static_cast<std::size_t>(i)]; }
   double upper(int i) const { return model_.robot.tau_upper[static_cast<std::size_t>(i)]; }
 
+  Problem& problem_;
   const Task& task_;
   const Model& model_;
   Free free_;
   const Ends& ends_;
-  const std::vector<Contact>& contacts_;
-  Problem problem_;
-  Built out_;
   const Motion& guess_;
+  const std::vector<Contact>& contacts_;
+  const std::vector<Contact>* next_contacts_ = nullptr;
+  const PhaseBuilder* before_ = nullptr;
+  double share_ = 1;
+  Phase out_;
   std::vector<Quantities> tau_;
   std::vector<int> driven_;
 };
 
 }  // namespace
 
-Built build(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
-            Free free) {
-  return Builder(task, model, ends, guess, free).run();
+Built build(const Model& model, const std::vector<Part>& parts, Free free) {
+  Problem problem;
+  double duration = 0;
+  std::vector<PhaseBuilder> builders;
+  builders.reserve(parts.size());
+  for (const Part& part : parts) {
+    builders.emplace_back(problem, model, part, free);
+    duration += part.task->duration;
+  }
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (k + 1 < parts.size() && parts[k + 1].ends->linked)
+      builders[k].end_with(parts[k + 1].task->start.posture.contacts);
+    builders[k].run(parts[k].ends->linked ? &builders[k - 1] : nullptr,
+                    parts[k].task->duration / duration);
+  }
+  Built built{std::make_unique<Assembly>(std::move(problem)), {}};
+  const bool exact = std::all_of(builders.begin(), builders.end(),
+                                 [](const PhaseBuilder& b) { return b.phase().frames.exact; });
+  for (const PhaseBuilder& builder : builders) {
+    builder.finish(*built.nlp, exact);
+    built.phases.push_back(builder.phase());
+  }
+  return built;
 }
 
 }  // namespace motion

@@ -1,4 +1,4 @@
-// Task, ends and bases -> problem.
+// Tasks of phases, ends and bases -> one problem.
 #pragma once
 #include <arboc/nlp/assembly.hpp>
 #include <memory>
@@ -17,14 +17,24 @@ struct Motion {
   arboc::BSpline q, reactions;
 };
 
-/// The state at both ends.  Accelerations and reactions are `given` too where the body is at rest
-/// or where another motion ended; elsewhere they are guesses, and variables.
+/// What of a state is known before; the rest is a guess, and variables.
+enum class Known {
+  kPosture,   ///< q
+  kVelocity,  ///< q and v
+  kAll        ///< at rest, or where a motion ended that was found before
+};
+/// The states at both ends.
 struct Ends {
   std::array<State, 2> at;
-  std::array<bool, 2> given{true, true};
+  std::array<Known, 2> known{Known::kAll, Known::kAll};
+  bool linked = false;  ///< the start is where the phase before ends, in the same problem
 
-  /// Control points of coordinates that these states fix.
-  int fixed(int end) const { return given[static_cast<std::size_t>(end)] ? 3 : 2; }
+  bool all(int end) const { return known[static_cast<std::size_t>(end)] == Known::kAll; }
+  /// Control points of coordinates that are no variables.
+  int fixed(int end) const {
+    const Known k = known[static_cast<std::size_t>(end)];
+    return k == Known::kAll ? 3 : k == Known::kVelocity ? 2 : 1;
+  }
 };
 
 /// Where equations are asked for.
@@ -42,23 +52,31 @@ struct Frames {
 Frames frames_of(const Task& task, const Ends& ends, const arboc::BSplineBasis& q,
                  const arboc::BSplineBasis& reactions);
 
-struct Built {
-  std::unique_ptr<arboc::nlp::Assembly> nlp;
+struct Phase {
   Frames frames;
   arboc::BSplineBasis q_basis, r_basis;
-  ControlPoints q, r;
+  ControlPoints q{}, r{};
   int maximum = -1;  ///< variable of the largest normalised torque
 };
+struct Built {
+  std::unique_ptr<arboc::nlp::Assembly> nlp;
+  std::vector<Phase> phases;
+};
 
-/// What is free: all, or reactions only, of a motion that is given: then the problem is convex.
+/// What a phase is made from; `guess` has the bases and says which spheres are close.
+struct Part {
+  const Task* task;
+  const Ends* ends;
+  const Motion* guess;
+};
+/// What is free: all, or reactions only, of motions that are given: then the problem is convex.
 enum class Free { kAll, kReactions };
-/// `guess` has the bases and says which spheres are close.
-Built build(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
-            Free free = Free::kAll);
+/// The objective is the mean over the time of all phases.
+Built build(const Model& model, const std::vector<Part>& parts, Free free = Free::kAll);
 
-/// Variables of a motion; torques and auxiliary forces are what it takes.
-std::vector<double> variables_of(Built& built, const Motion& motion);
-Motion motion_of(const Built& built, const std::vector<double>& x);
+/// Variables of motions, one a phase; torques and auxiliary forces are what they take.
+std::vector<double> variables_of(Built& built, const std::vector<Motion>& motions);
+std::vector<Motion> motions_of(const Built& built, const std::vector<double>& x);
 
 /// Straight lines between the ends, in time, for given bases.
 Motion straight(const Ends& ends, const arboc::BSplineBasis& q,

@@ -20,7 +20,7 @@ std::vector<Frames::Frame> greville_frames(const Ends& ends, const BSplineBasis&
     all.push_back({places[k], true, true, 0});
   for (Eigen::Index k = 0; k < r.size(); ++k) {
     const bool first = k == 0, last = k == r.size() - 1;
-    const bool known = (first && ends.given[0]) || (last && ends.given[1]);
+    const bool known = (first && ends.all(0)) || (last && ends.all(1));
     if (!known && std::none_of(all.begin(), all.end(), [&](const Frames::Frame& f) {
           return std::fabs(f.t - r[k]) < near;
         }))
@@ -43,10 +43,10 @@ Frames frames_of(const Task& task, const Ends& ends, const BSplineBasis& q,
   Frames frames;
   std::vector<Frames::Frame> given;
   if (const int n = task.search.frames; n > 0) {
-    if (!ends.given[0]) given.push_back({q.begin(), true, false, 0});
+    if (!ends.all(0)) given.push_back({q.begin(), true, false, 0});
     for (int k = 1; k <= n; ++k)
       given.push_back({q.begin() + (q.end() - q.begin()) * k / (n + 1), true, true, 0});
-    if (!ends.given[1]) given.push_back({q.end(), true, false, 0});
+    if (!ends.all(1)) given.push_back({q.end(), true, false, 0});
     frames.exact = n <= q.size() - ends.fixed(0) - ends.fixed(1);
   } else {
     given = greville_frames(ends, q, reactions);

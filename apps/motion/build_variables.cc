@@ -33,20 +33,26 @@ void fill_auxiliary(Assembly& nlp, std::vector<double>& x) {
 
 }  // namespace
 
-std::vector<double> variables_of(Built& built, const Motion& motion) {
+std::vector<double> variables_of(Built& built, const std::vector<Motion>& motions) {
   const Scales& v = built.nlp->variables();
   std::vector<double> x(v.size(), 0);
-  set_values(built.q, motion.q.points(), x);
-  set_values(built.r, motion.reactions.points(), x);
-  if (built.maximum >= 0) x[static_cast<std::size_t>(built.maximum)] = 1;
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    const Phase& phase = built.phases[k];
+    set_values(phase.q, motions[k].q.points(), x);
+    set_values(phase.r, motions[k].reactions.points(), x);
+    if (phase.maximum >= 0) x[static_cast<std::size_t>(phase.maximum)] = 1;
+  }
   fill_auxiliary(*built.nlp, x);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::clamp(x[i], v.lower[i], v.upper[i]);
   return x;
 }
 
-Motion motion_of(const Built& built, const std::vector<double>& x) {
-  return {arboc::BSpline(built.q_basis, values_of(built.q, x)),
-          arboc::BSpline(built.r_basis, values_of(built.r, x))};
+std::vector<Motion> motions_of(const Built& built, const std::vector<double>& x) {
+  std::vector<Motion> out;
+  for (const Phase& phase : built.phases)
+    out.push_back({arboc::BSpline(phase.q_basis, values_of(phase.q, x)),
+                   arboc::BSpline(phase.r_basis, values_of(phase.r, x))});
+  return out;
 }
 
 Motion straight(const Ends& ends, const BSplineBasis& q, const BSplineBasis& reactions) {

@@ -1,6 +1,7 @@
 #include "curve.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 namespace motion {
 
@@ -16,10 +17,39 @@ MatrixXd end_points(const BSplineBasis& basis, const State& state, bool at_end) 
   return B.partialPivLu().solve(right).transpose();
 }
 
+Eigen::Matrix3d linked_points(const BSplineBasis& before, const BSplineBasis& next) {
+  const Eigen::Matrix3d B = before.derivatives(before.end(), 2).rightCols(3),
+                        N = next.derivatives(next.begin(), 2).leftCols(3);
+  Eigen::Matrix3d E = N.partialPivLu().solve(B);
+  // Values depend on the last point alone, velocities on the last two: the rest is rounding.
+  E(0, 0) = E(0, 1) = E(1, 0) = 0;
+  E(0, 2) = 1;
+  return E;
+}
+
 BasisAt basis_at(const BSplineBasis& basis, double t, int order) {
   const int span = basis.span(t);
   return {span - basis.degree(), basis.derivatives(t, order, span)};
 }
+
+namespace {
+
+/// Each variable once: points that are linked have some in common.
+Affine gathered(const Affine& a) {
+  Affine out(a.constant);
+  for (const Affine::Term& term : a.terms) {
+    const auto same = std::find_if(out.terms.begin(), out.terms.end(), [&](const auto& t) {
+      return t.of.evaluation == term.of.evaluation && t.of.index == term.of.index;
+    });
+    if (same == out.terms.end())
+      out.terms.push_back(term);
+    else
+      same->coefficient += term.coefficient;
+  }
+  return out;
+}
+
+}  // namespace
 
 Affine ControlPoints::operator()(int j, const BasisAt& at, int k) const {
   Affine sum;
@@ -27,7 +57,7 @@ Affine ControlPoints::operator()(int j, const BasisAt& at, int k) const {
     if (at.values(k, i) != 0)
       sum += at.values(k, i) *
              points[static_cast<std::size_t>(j)][static_cast<std::size_t>(at.first + i)];
-  return sum;
+  return gathered(sum);
 }
 
 std::vector<Affine> ControlPoints::all(const BasisAt& at, int k) const {
@@ -42,7 +72,9 @@ MatrixXd values_of(const ControlPoints& points, const std::vector<double>& x) {
   for (Eigen::Index j = 0; j < out.rows(); ++j)
     for (Eigen::Index i = 0; i < out.cols(); ++i) {
       const Affine& a = points.points[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
-      out(j, i) = a.terms.empty() ? a.constant : x[static_cast<std::size_t>(a.terms[0].of.index)];
+      out(j, i) = a.constant;
+      for (const Affine::Term& term : a.terms)
+        out(j, i) += term.coefficient * x[static_cast<std::size_t>(term.of.index)];
     }
   return out;
 }
@@ -51,7 +83,8 @@ void set_values(const ControlPoints& points, const MatrixXd& values, std::vector
   for (Eigen::Index j = 0; j < values.rows(); ++j)
     for (Eigen::Index i = 0; i < values.cols(); ++i) {
       const Affine& a = points.points[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
-      if (!a.terms.empty()) x[static_cast<std::size_t>(a.terms[0].of.index)] = values(j, i);
+      if (a.terms.size() == 1 && a.terms[0].coefficient == 1 && a.constant == 0)
+        x[static_cast<std::size_t>(a.terms[0].of.index)] = values(j, i);
     }
 }
 

@@ -16,6 +16,10 @@ struct State {
 /// those that end so; all but the innermost one do not depend on accelerations.
 Eigen::MatrixXd end_points(const arboc::BSplineBasis& basis, const State& state, bool at_end);
 
+/// The first three control points on `next` of what the last three on `before` end with, as rows of
+/// factors: value and two derivatives are the same.
+Eigen::Matrix3d linked_points(const arboc::BSplineBasis& before, const arboc::BSplineBasis& next);
+
 /// Basis values and derivatives of some orders at an instant.
 struct BasisAt {
   int first = 0;           ///< control point of the first column
@@ -34,7 +38,7 @@ struct ControlPoints {
 
 /// Numbers of a solution.
 Eigen::MatrixXd values_of(const ControlPoints& points, const std::vector<double>& x);
-/// Into the variables among them.
+/// Into the variables among them; points that are sums of those follow.
 void set_values(const ControlPoints& points, const Eigen::MatrixXd& values, std::vector<double>& x);
 
 }  // namespace motion

@@ -12,58 +12,16 @@ using namespace arboc::nlp;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// m, 1: what posture prediction leaves of rows.
-constexpr double kInPlace = 1e-6;
-constexpr double kStill = 1e-12;  ///< rad/s, m/s
-
-/// Its place among contacts, or -1.
-int index_of(const std::vector<Contact>& contacts, const std::string& name) {
-  const auto at = std::find_if(contacts.begin(), contacts.end(),
-                               [&](const Contact& c) { return c.name == name; });
-  return at == contacts.end() ? -1 : static_cast<int>(at - contacts.begin());
+/// The phase after the last one that is linked to phase k.
+std::size_t end_of_chain(const std::vector<Task>& tasks, std::size_t k) {
+  for (++k; k < tasks.size() && joint_of(tasks[k - 1], tasks[k]) == Joint::kSmooth;) ++k;
+  return k;
 }
 
-bool has_new_contact(const Task& before, const Task& next) {
-  const auto& old = before.start.posture.contacts;
-  return std::any_of(next.start.posture.contacts.begin(), next.start.posture.contacts.end(),
-                     [&](const Contact& c) { return index_of(old, c.name) < 0; });
-}
-
-/// Six a contact of `to`, of columns that are six a contact of `from`.
-MatrixXd arranged(const MatrixXd& columns, const std::vector<Contact>& from,
-                  const std::vector<Contact>& to) {
-  MatrixXd out = MatrixXd::Zero(columns.rows(), static_cast<Eigen::Index>(6 * to.size()));
-  for (std::size_t c = 0; c < to.size(); ++c)
-    if (const int at = index_of(from, to[c].name); at >= 0)
-      out.middleCols<6>(static_cast<Eigen::Index>(6 * c)) = columns.middleCols<6>(6 * at);
-  return out;
-}
-
-/// Contacts of the next phase must be where they hold.
-void expect_in_place(const Task& next, const Model& model, const State& state) {
-  std::vector<double> placements(static_cast<std::size_t>(model.robot.placements->outputs()));
-  model.robot.placements->values(1, state.q.data(), placements.data());
-  for (const Contact& contact : next.start.posture.contacts) {
-    const Misplacement off =
-        misplacement(contact, Placement(placements.data() + 12 * model.robot.frame(contact.frame)));
-    if (off.distance > kInPlace || off.sine > kInPlace)
-      throw std::invalid_argument(fmt::format(
-          "phase '{}' begins where its contact '{}' is {:.2g} m and {:.2g} rad off its place",
-          next.name, contact.name, off.distance, off.sine));
-  }
-}
-
-State handed_over(const Task& before, const Motion& motion, const Task& next, const Model& model) {
-  State state = state_at(motion, true);
-  if (state.v.isZero(kStill)) {  // the rounding of curves
-    state.v.setZero();
-    state.a.setZero();
-  }
-  expect_in_place(next, model, state);
-  state.reactions = arranged(state.reactions.transpose(), before.start.posture.contacts,
-                             next.start.posture.contacts)
-                        .transpose();
-  return state;
+/// "2-3 ", as people count.
+std::string label_of(std::size_t from, std::size_t to, std::size_t all) {
+  if (all == 1) return "";
+  return to - from == 1 ? fmt::format("{} ", to) : fmt::format("{}-{} ", from + 1, to);
 }
 
 }  // namespace
@@ -72,24 +30,37 @@ Course predict_phases(const Plan& plan, const Model& model, const Options& optio
                       const std::vector<Motion>& from) {
   const std::vector<Task>& tasks = plan.phases;
   Course course;
-  for (std::size_t k = 0; k < tasks.size(); ++k) {
+  course.status = Status::kOptimal;
+  for (std::size_t k = 0; k < tasks.size() && course.status == Status::kOptimal;) {
+    const std::size_t end = end_of_chain(tasks, k);
     Options here = options;
-    if (!from.empty()) here.from = from[k];
-    if (tasks.size() > 1) here.label = fmt::format("{} {}", k + 1, options.label);
-    if (k + 1 < tasks.size()) here.joints.next = &tasks[k + 1];
+    const auto part = [&](const auto& all) {
+      return std::vector(all.begin() + static_cast<std::ptrdiff_t>(k),
+                         all.begin() + static_cast<std::ptrdiff_t>(end));
+    };
+    if (!from.empty()) here.from = part(from);
+    here.label = label_of(k, end, tasks.size());
+    if (end < tasks.size()) here.joints.next = &tasks[end];
     if (k > 0) {
-      const Task& before = tasks[k - 1];
-      here.joints.after = handed_over(before, *course.phases.back().motion, tasks[k], model);
-      here.joints.jolts = !here.joints.after->v.isZero(0) && has_new_contact(before, tasks[k]);
+      const State state = state_at_end(*course.phases.back().motion);
+      here.joints.after = handed_over(state, tasks[k - 1], tasks[k]);
+      here.joints.jolts = joint_of(tasks[k - 1], tasks[k]) == Joint::kJolt;
     }
-    course.phases.push_back(predict(tasks[k], model, here));
-    const Result& result = course.phases.back();
-    course.status = result.status;
-    course.reason = tasks.size() > 1 ? tasks[k].name + ": " + result.reason : result.reason;
-    course.audit_passes = result.audit_passes;
-    course.seconds += result.seconds;
-    if (result.status != Status::kOptimal) break;
+    for (Result& result : predict_chain(part(tasks), model, here)) {
+      const std::size_t phase = course.phases.size();
+      if (course.status == Status::kOptimal) {
+        course.status = result.status;
+        course.reason = tasks.size() == 1 ? result.reason
+                                          : fmt::format("phase {}, {}: {}", phase + 1,
+                                                        tasks[phase].name, result.reason);
+      }
+      course.seconds += result.seconds;
+      course.phases.push_back(std::move(result));
+    }
+    k = end;
   }
+  course.audit_passes = std::all_of(course.phases.begin(), course.phases.end(),
+                                    [](const Result& r) { return r.audit_passes; });
   if (tasks.size() > 1 && course.status == Status::kOptimal)
     course.reason = "optimal in all phases";
   return course;
@@ -105,7 +76,7 @@ Task whole(const Plan& plan) {
   for (std::size_t k = 1; k < tasks.size(); ++k) {
     all.duration += tasks[k].duration;
     for (const Contact& c : tasks[k].start.posture.contacts)
-      if (index_of(contacts, c.name) < 0) contacts.push_back(c);
+      if (contact_index(contacts, c.name) < 0) contacts.push_back(c);
   }
   return all;
 }

@@ -1,8 +1,10 @@
 // Motions in phases, such as a lean that goes on into a squat, or a step and then the next one:
 // each begins in the state in which the one before ended.
 //
-// Across a joint coordinates and velocities are continuous; so are accelerations, reactions and
-// torques, but where the body moves and a contact is new: a foot that lands takes its load at once.
+// Phases between which the body moves are one problem, whose joints are where all of them are best
+// served; where it rests, one is solved after the other.  Across a joint coordinates and velocities
+// are continuous; so are accelerations, reactions and torques, but where the body moves and a
+// contact is new.
 #pragma once
 #include "predict.h"
 
@@ -16,7 +18,7 @@ struct Course {
   std::vector<Result> phases;  ///< up to the first that failed
 };
 
-/// One phase after the other, as all tasks of a file say; `from`: where each starts, or nothing.
+/// As all tasks of a file say; `from`: where each starts, or nothing.
 /// Throws std::invalid_argument where phases do not fit.
 Course predict_phases(const Plan& plan, const Model& model, const Options& options,
                       const std::vector<Motion>& from = {});

@@ -1,9 +1,7 @@
 #include "predict.h"
 
-#include <posture/build.h>
 #include <chrono>
-
-#include "rates.h"
+#include <numeric>
 
 namespace motion {
 namespace {
@@ -27,54 +25,6 @@ double seconds_since(Clock::time_point t) {
   return std::chrono::duration<double>(Clock::now() - t).count();
 }
 
-VectorXd vector_of(const std::vector<double>& x) {
-  return Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
-}
-
-/// Of a posture's contacts, along their own axes where the task has them so.
-VectorXd reactions_of(const Model& model, const posture::Task& task, const posture::Result& r) {
-  VectorXd out(6 * static_cast<Eigen::Index>(task.contacts.size()));
-  std::vector<double> placements(static_cast<std::size_t>(model.robot.placements->outputs()));
-  model.robot.placements->values(1, r.q.data(), placements.data());
-  for (std::size_t c = 0; c < task.contacts.size(); ++c) {
-    Eigen::Matrix<double, 6, 1> wrench(r.reactions[c].data());
-    if (task.contacts[c].own_axes) {
-      const Eigen::Matrix3d R =
-          Placement(placements.data() + 12 * model.robot.frame(task.contacts[c].frame)).R;
-      wrench.head<3>() = (R.transpose() * wrench.head<3>()).eval();
-      wrench.tail<3>() = (R.transpose() * wrench.tail<3>()).eval();
-    }
-    out.segment<6>(static_cast<Eigen::Index>(6 * c)) = wrench;
-  }
-  return out;
-}
-
-/// How long control points beside an end, of which velocities decide, are ahead of it.
-double reach(const Task& task) {
-  const Curves& c = task.curves;
-  return 3 * task.duration / (c.control_points - c.degree) / c.degree;
-}
-
-VectorXd velocity_at_end(const Task& task, const Model& model, const VectorXd& q,
-                         const Task* next) {
-  RateLimits limits{task.start.posture.contacts, reach(task)};
-  if (next) {
-    const auto& more = next->start.posture.contacts;
-    limits.contacts.insert(limits.contacts.end(), more.begin(), more.end());
-    limits.reach = std::max(limits.reach, reach(*next));
-  }
-  return complete_velocity(model, q, task.end.velocity, limits, "end_velocity");
-}
-
-/// A posture that is known.
-posture::Result known_posture(const State& state) {
-  posture::Result out;
-  out.status = Status::kOptimal;
-  out.reason = "where the motion before ends";
-  out.q.assign(state.q.data(), state.q.data() + state.q.size());
-  return out;
-}
-
 /// Without torques: a smooth motion that holds on to its contacts within all limits.
 Objective smooth_only(const Objective& o) {
   Objective out = o;
@@ -86,74 +36,12 @@ bool asks_for_more(const Objective& o) {
   return o.displacement > 0 || o.torque > 0 || o.normalised > 0 || o.maximum > 0;
 }
 
-/// A posture from `q`, with targets moved to a part of the way from where they are in `from`.
-posture::Result step_towards(posture::Task task, const Model& model, const std::vector<double>& q,
-                             const std::vector<double>& from, double part) {
-  const Robot& robot = model.robot;
-  std::vector<double> placements(static_cast<std::size_t>(robot.placements->outputs()));
-  robot.placements->values(1, from.data(), placements.data());
-  for (posture::Target& target : task.targets) {
-    const Vector3 here =
-        Placement(placements.data() + 12 * robot.frame(target.frame))(target.point);
-    target.place.at = (1 - part) * here + part * target.place.at;
-  }
-  task.guess.clear();
-  for (std::size_t i = 0; i < q.size(); ++i) task.guess[robot.coordinates[i]] = q[i];
-  task.search.starts = 1;
-  task.search.restarts = 0;
-  task.search.random = false;
-  return posture::predict(task, model);
-}
-
-/// The posture at the end, by steps from the one at the start, so that it belongs to the same
-/// branch of all ways to hold on; where that leads nowhere, the best of all.
-posture::Result continued(const posture::Task& task, const Model& model,
-                          const posture::Result& start) {
-  posture::Result end = step_towards(task, model, start.q, start.q, 1);
-  if (end.status == Status::kOptimal) return end;
-  constexpr int kSteps = 5;
-  std::vector<double> q = start.q;
-  for (int k = 1; k <= kSteps; ++k) {
-    end = step_towards(task, model, q, start.q, static_cast<double>(k) / kSteps);
-    if (end.status != Status::kOptimal) return posture::predict(task, model);
-    q = end.q;
-  }
-  return end;
+template <class Of>
+bool any(const std::vector<Task>& tasks, const Of& of) {
+  return std::any_of(tasks.begin(), tasks.end(), of);
 }
 
 }  // namespace
-
-Ends predict_ends(const Task& task, const Model& model, posture::Result& start,
-                  posture::Result& end, const Joints& joints) {
-  start = joints.after ? known_posture(*joints.after) : posture::predict(task.start.posture, model);
-  if (start.status != Status::kOptimal)
-    throw std::domain_error("no posture at the start: " + start.reason);
-  end = continued(task.end.posture, model, start);
-  if (end.status != Status::kOptimal)
-    throw std::domain_error("no posture at the end: " + end.reason);
-  const VectorXd still = VectorXd::Zero(model.robot.size());
-  Ends ends;
-  if (joints.after) {
-    ends.at[0] = *joints.after;
-    ends.given[0] = !joints.jolts;
-  } else {
-    const VectorXd q = vector_of(start.q);
-    const VectorXd v =
-        complete_velocity(model, q, task.start.velocity, {task.start.posture.contacts, reach(task)},
-                          "start_velocity");
-    ends.at[0] = {q, v, still, reactions_of(model, task.start.posture, start)};
-    ends.given[0] = v.isZero(0);
-  }
-  const VectorXd q = vector_of(end.q), v = velocity_at_end(task, model, q, joints.next);
-  ends.at[1] = {q, v, still, reactions_of(model, task.end.posture, end)};
-  ends.given[1] = v.isZero(0);
-  return ends;
-}
-
-State state_at(const Motion& motion, bool at_end) {
-  const double t = at_end ? motion.q.basis().end() : motion.q.basis().begin();
-  return {motion.q(t), motion.q(t, 1), motion.q(t, 2), motion.reactions(t)};
-}
 
 Motion first_guess(const Task& task, const Ends& ends) {
   const Curves& c = task.curves;
@@ -164,179 +52,250 @@ Motion first_guess(const Task& task, const Ends& ends) {
 
 namespace {
 
-Motion solve_problem(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
-                     Free free, Stage& stage, const Options& options) {
-  const Clock::time_point begin = Clock::now();
-  Built built = build(task, model, ends, guess, free);
-  built.nlp->use_threads(options.threads);
-  const std::vector<double> x = variables_of(built, guess);
-  stage.control_points = built.q_basis.size();
-  for (const Frames::Frame& f : built.frames.all) {
-    stage.frames += f.balances;
-    stage.contact_frames += f.holds;
-    stage.torque_frames += !f.balances;
+void note_sizes(const Built& built, Stage& stage) {
+  for (const Phase& phase : built.phases) {
+    stage.control_points = std::max(stage.control_points, phase.q_basis.size());
+    for (const Frames::Frame& f : phase.frames.all) {
+      stage.frames += f.balances;
+      stage.contact_frames += f.holds;
+      stage.torque_frames += !f.balances;
+    }
   }
   stage.variables = built.nlp->variables().size();
   stage.rows = built.nlp->rows().size();
   stage.jacobian = built.nlp->jacobian_pattern().size();
   stage.hessian = built.nlp->hessian_pattern().size();
+}
+
+void note_solution(const Built& built, const Solution& s, Stage& stage) {
+  stage.status = s.status;
+  stage.reason = s.reason;
+  stage.iterations = s.iterations;
+  stage.objective = s.objective;
+  stage.kkt_error = s.kkt_error;
+  stage.violation = s.violation;
+  for (const Phase& phase : built.phases)
+    stage.maxima.push_back(phase.maximum >= 0 ? s.x[static_cast<std::size_t>(phase.maximum)] : 0);
+  stage.cpu_seconds = s.cpu_seconds;
+  stage.derivative_seconds = s.derivative_seconds;
+  stage.hessian_seconds = s.hessian_seconds;
+  stage.time = built.nlp->time();
+}
+
+std::vector<Motion> solve_problem(const Model& model, const std::vector<Part>& parts, Free free,
+                                  Stage& stage, const Options& options) {
+  const Clock::time_point begin = Clock::now();
+  const Search& search = parts.front().task->search;
+  Built built = build(model, parts, free);
+  built.nlp->use_threads(options.threads);
+  std::vector<Motion> guesses;
+  for (const Part& part : parts) guesses.push_back(*part.guess);
+  const std::vector<double> x = variables_of(built, guesses);
+  note_sizes(built, stage);
   stage.build_seconds = seconds_since(begin);
   SolverOptions solver;
-  solver.tolerance =
-      free == Free::kAll ? task.search.kkt : std::min(task.search.kkt, kReactionsKkt);
+  solver.tolerance = free == Free::kAll ? search.kkt : std::min(search.kkt, kReactionsKkt);
   solver.row_tolerance = 1e-8;  // 1e-6 N, 1e-8 m
-  solver.max_iterations = task.search.iterations;
-  solver.max_seconds = task.search.seconds;
+  solver.max_iterations = search.iterations;
+  solver.max_seconds = search.seconds;
   solver.blas_threads = options.blas_threads;
   if (options.go_on)
     solver.go_on = [&](const Progress& p) {
       return options.go_on({stage, p, seconds_since(begin)});
     };
   const Solution s = solve(*built.nlp, x, solver);
+  note_solution(built, s, stage);
   // Rounding may forbid more than the task asks for.
-  const bool enough = s.kkt_error <= task.search.kkt && s.violation <= solver.row_tolerance;
-  stage.status = enough ? Status::kOptimal : s.status;
-  stage.reason = s.reason;
-  stage.iterations = s.iterations;
-  stage.objective = s.objective;
-  stage.kkt_error = s.kkt_error;
-  if (built.maximum >= 0) stage.maximum = s.x[static_cast<std::size_t>(built.maximum)];
-  stage.violation = s.violation;
-  stage.cpu_seconds = s.cpu_seconds;
-  stage.derivative_seconds = s.derivative_seconds;
-  stage.hessian_seconds = s.hessian_seconds;
-  stage.time = built.nlp->time();
-  Motion motion = motion_of(built, s.x);
+  if (s.kkt_error <= search.kkt && s.violation <= solver.row_tolerance)
+    stage.status = Status::kOptimal;
   stage.seconds = seconds_since(begin);
-  return motion;
+  return motions_of(built, s.x);
 }
 
 }  // namespace
 
-Motion improve(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
-               Stage& stage, const Options& options) {
-  return solve_problem(task, model, ends, guess, Free::kAll, stage, options);
+std::vector<Motion> improve(const Model& model, const std::vector<Part>& parts, Stage& stage,
+                            const Options& options) {
+  return solve_problem(model, parts, Free::kAll, stage, options);
 }
 
-Motion react(const Task& task, const Model& model, const Ends& ends, const Motion& given,
-             Stage& stage, const Options& options) {
-  return solve_problem(task, model, ends, given, Free::kReactions, stage, options);
+std::vector<Motion> react(const Model& model, const std::vector<Part>& parts, Stage& stage,
+                          const Options& options) {
+  return solve_problem(model, parts, Free::kReactions, stage, options);
 }
 
 namespace {
 
 class Predictor {
  public:
-  Predictor(const Task& task, const Model& model, const Options& options)
-      : task_(task), model_(model), options_(options) {
+  Predictor(const std::vector<Task>& tasks, const Model& model, const Options& options)
+      : tasks_(tasks), model_(model), options_(options), results_(tasks.size()) {
     model.robot.dynamics->use_threads(options.threads);
     model.robot.placements->use_threads(options.threads);
   }
 
-  Result run() {
+  std::vector<Result> run() {
     const Clock::time_point begin = Clock::now();
-    ends_ = predict_ends(task_, model_, result_.start, result_.end, options_.joints);
-    result_.posture_seconds = seconds_since(begin);
-    if (options_.reactions_only) return reactions_of_given(begin);
-    const Motion guess = options_.from ? *options_.from : first_guess(task_, ends_);
-    Motion motion = guess;
-    const bool more = asks_for_more(task_.objective);
-    if (!more || !task_.search.smooth_first) motion = solve_stage("objective", task_, guess);
-    if (more && !stopped_ && (task_.search.smooth_first || !good())) {
-      Task smooth = task_;
-      smooth.objective = smooth_only(task_.objective);
-      motion = solve_stage("smooth", smooth, guess);
-      if (good()) motion = solve_stage("objective", task_, motion);
-    }
-    for (int round = 0; good() && !stopped_; ++round) {
-      const std::vector<double> peaks = peaks_between_frames();
-      const bool watch = !peaks.empty() && round < kMostRounds;
-      const bool finer = !result_.audit_passes && !(watch && balanced());
-      if (finer &&
-          2 * motion.q.basis().size() - task_.curves.degree > task_.search.most_control_points)
-        break;
-      if (!watch && !finer) break;
-      task_.watched.insert(task_.watched.end(), peaks.begin(), peaks.end());
-      motion = finer ? refine(motion) : solve_stage("watched", task_, motion);
-    }
-    conclude(motion);
-    result_.seconds = seconds_since(begin);
-    return std::move(result_);
+    add_ends();
+    results_.front().posture_seconds = seconds_since(begin);
+    if (options_.reactions_only && options_.from.empty())
+      throw std::invalid_argument("reactions of what? a motion is missing");
+    motions_ = options_.from;
+    for (std::size_t k = motions_.size(); k < tasks_.size(); ++k)
+      motions_.push_back(first_guess(tasks_[k], ends_[k]));
+    if (options_.reactions_only)
+      solve_stage("reactions", tasks_);
+    else
+      solve_all();
+    conclude();
+    results_.front().seconds = seconds_since(begin);
+    return std::move(results_);
   }
 
  private:
+  void add_ends() {
+    for (std::size_t k = 0; k < tasks_.size(); ++k) {
+      Joints joints = options_.joints;
+      if (k > 0) {
+        joints.after = handed_over(ends_[k - 1].at[1], tasks_[k - 1], tasks_[k]);
+        joints.jolts = false;
+        joints.linked = true;
+      }
+      if (k + 1 < tasks_.size()) joints.next = &tasks_[k + 1];
+      ends_.push_back(predict_ends(tasks_[k], model_, results_[k].start, results_[k].end, joints));
+    }
+  }
+
+  void solve_all() {
+    const std::vector<Motion> guess = motions_;
+    const bool more = any(tasks_, [](const Task&t) { return asks_for_more(t.objective); }),
+               smooth_first = any(tasks_, [](const Task&t) { return t.search.smooth_first; });
+    if (!more || !smooth_first) solve_stage("objective", tasks_);
+    if (more && !stopped_ && (smooth_first || !good())) {
+      std::vector<Task> smooth = tasks_;
+      for (Task& task : smooth) task.objective = smooth_only(task.objective);
+      motions_ = guess;
+      solve_stage("smooth", smooth);
+      if (good()) solve_stage("objective", tasks_);
+    }
+    bool goes_on = good() && !stopped_;
+    for (int round = 0; goes_on; ++round) goes_on = refine(round) && good() && !stopped_;
+  }
+
+  /// What the audit asks for: watched torques, or every span halved; false where there is nothing
+  /// to do.
+  bool refine(int round) {
+    bool peaks = false;
+    for (std::size_t k = 0; k < tasks_.size() && round < kMostRounds; ++k) {
+      const std::vector<double> more = peaks_between_frames(k);
+      peaks = peaks || !more.empty();
+      tasks_[k].watched.insert(tasks_[k].watched.end(), more.begin(), more.end());
+    }
+    const bool finer = !passes() && !(peaks && balanced());
+    if (finer && !can_be_finer()) return false;
+    if (finer) {
+      for (std::size_t k = 0; k < tasks_.size(); ++k) {
+        tasks_[k].search.frames *= 2;
+        motions_[k] = {motions_[k].q.refined(), motions_[k].reactions.refined()};
+      }
+      solve_stage("refined", tasks_);
+    } else if (peaks) {
+      solve_stage("watched", tasks_);
+    }
+    return finer || peaks;
+  }
+  bool can_be_finer() const {
+    for (std::size_t k = 0; k < tasks_.size(); ++k)
+      if (2 * motions_[k].q.basis().size() - tasks_[k].curves.degree >
+          tasks_[k].search.most_control_points)
+        return false;
+    return true;
+  }
   /// Where torques between frames are beyond what frames allow: their limits by more than the
   /// audit lets pass, or a maximum that shall be least.
-  std::vector<double> peaks_between_frames() const {
-    const double at_frames = result_.stages.back().maximum;
-    if (at_frames > 0) return torque_peaks(model_, result_.samples, (1 + kPeak) * at_frames);
-    if (!task_.start.posture.torque_limits) return {};
-    return torque_peaks(model_, result_.samples, 1 + task_.tolerance.torque);
+  std::vector<double> peaks_between_frames(std::size_t k) const {
+    const double at_frames = stages_.back().maxima[k];
+    const Samples& samples = results_[k].samples;
+    if (at_frames > 0) return torque_peaks(model_, samples, (1 + kPeak) * at_frames);
+    if (!tasks_[k].start.posture.torque_limits) return {};
+    return torque_peaks(model_, samples, 1 + tasks_[k].tolerance.torque);
   }
-  /// The audit passes but for torques.
+  /// All audits, but for torques.
   bool balanced() const {
-    Audit but_torques = result_.stages.back().audit;
-    but_torques.torque_excess = {};
-    return but_torques.passes(task_.tolerance);
+    for (std::size_t k = 0; k < tasks_.size(); ++k) {
+      Audit but_torques = results_[k].audit;
+      but_torques.torque_excess = {};
+      if (!but_torques.passes(tasks_[k].tolerance)) return false;
+    }
+    return true;
   }
 
-  /// With every span halved.
-  Motion refine(const Motion& motion) {
-    task_.search.frames *= 2;
-    return solve_stage("refined", task_, {motion.q.refined(), motion.reactions.refined()});
+  bool good() const { return stages_.back().status == Status::kOptimal; }
+  bool passes() const {
+    return std::all_of(results_.begin(), results_.end(),
+                       [](const Result& r) { return r.audit_passes; });
   }
 
-  Result reactions_of_given(Clock::time_point begin) {
-    if (!options_.from) throw std::invalid_argument("reactions of what? a motion is missing");
-    const Motion motion = solve_stage("reactions", task_, *options_.from);
-    conclude(motion);
-    result_.seconds = seconds_since(begin);
-    return std::move(result_);
-  }
-
-  bool good() const { return result_.stages.back().status == Status::kOptimal; }
-
-  Motion solve_stage(const std::string& name, const Task& task, const Motion& guess) {
+  void solve_stage(const std::string& name, const std::vector<Task>& tasks) {
     Stage stage;
     stage.name = options_.label + name;
     Options options = options_;
     if (options_.go_on)
       options.go_on = [this](const Iteration& i) { return !(stopped_ = !options_.go_on(i)); };
-    Motion motion = options_.reactions_only ? react(task, model_, ends_, guess, stage, options)
-                                            : improve(task, model_, ends_, guess, stage, options);
-    result_.samples =
-        sample(task, model_, motion, std::max(kLeastInstants, kAuditPerFrame * stage.frames + 1));
-    stage.audit = audit(task, model_, result_.samples);
-    result_.audit_passes = stage.audit.passes(task_.tolerance);
-    result_.stages.push_back(std::move(stage));
-    return motion;
-  }
-
-  void conclude(const Motion& motion) {
-    const Stage& last = result_.stages.back();
-    result_.status = last.status;
-    result_.reason = last.reason;
-    result_.audit = last.audit;
-    result_.measures = measures(task_, model_, motion, result_.samples);
-    result_.motion = motion;
-    if (good() && !result_.audit_passes) {
-      result_.status = Status::kStopped;
-      result_.reason = "the audit between frames fails: more control points are needed";
+    std::vector<Part> parts;
+    for (std::size_t k = 0; k < tasks.size(); ++k)
+      parts.push_back({&tasks[k], &ends_[k], &motions_[k]});
+    motions_ = options_.reactions_only ? react(model_, parts, stage, options)
+                                       : improve(model_, parts, stage, options);
+    double later = 0;
+    for (std::size_t k = 0; k < tasks.size(); ++k) {
+      Result& result = results_[k];
+      const int frames = stage.frames / static_cast<int>(tasks.size());
+      result.samples = sample(tasks[k], model_, motions_[k],
+                              std::max(kLeastInstants, kAuditPerFrame * frames + 1));
+      result.audit = audit(tasks[k], model_, result.samples);
+      result.audit_passes = result.audit.passes(tasks_[k].tolerance);
+      stage.audit.add(result.audit, later);
+      later += tasks[k].duration;
     }
+    stages_.push_back(std::move(stage));
   }
 
-  Task task_;
+  void conclude() {
+    const Stage& last = stages_.back();
+    for (std::size_t k = 0; k < tasks_.size(); ++k) {
+      Result& result = results_[k];
+      result.status = last.status;
+      result.reason = last.reason;
+      result.measures = measures(tasks_[k], model_, motions_[k], result.samples);
+      result.motion = motions_[k];
+      if (good() && !result.audit_passes) {
+        result.status = Status::kStopped;
+        result.reason = "the audit between frames fails: more control points are needed";
+      }
+    }
+    results_.front().stages = stages_;
+  }
+
+  std::vector<Task> tasks_;
   const Model& model_;
   const Options& options_;
-  Ends ends_;
-  Result result_;
+  std::vector<Ends> ends_;
+  std::vector<Motion> motions_;
+  std::vector<Stage> stages_;
+  std::vector<Result> results_;
   bool stopped_ = false;  ///< by the caller
 };
 
 }  // namespace
 
+std::vector<Result> predict_chain(const std::vector<Task>& tasks, const Model& model,
+                                  const Options& options) {
+  return Predictor(tasks, model, options).run();
+}
+
 Result predict(const Task& task, const Model& model, const Options& options) {
-  return Predictor(task, model, options).run();
+  return std::move(predict_chain({task}, model, options).front());
 }
 
 }  // namespace motion

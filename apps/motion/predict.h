@@ -1,9 +1,8 @@
 // The way to a motion: postures at both ends, a straight line between them, the problem without and
 // with torques in the objective, more control points until the audit passes.
 #pragma once
-#include <posture/predict.h>
-
 #include "audit.h"
+#include "ends.h"
 
 namespace motion {
 
@@ -16,7 +15,7 @@ struct Stage {
   std::size_t variables = 0, rows = 0, jacobian = 0, hessian = 0;  ///< sizes and entries
   int iterations = 0;
   double objective = 0, kkt_error = 0, violation = 0;
-  double maximum = 0;  ///< of n at frames and ends, where that is part of the objective
+  std::vector<double> maxima;  ///< a phase; of n at frames and ends, 0 where that is no objective
   double seconds = 0, cpu_seconds = 0, build_seconds = 0;
   double derivative_seconds = 0, hessian_seconds = 0;
   arboc::nlp::EvaluationTime time{};
@@ -44,38 +43,29 @@ struct Iteration {
 };
 using GoOn = std::function<bool(const Iteration&)>;
 
-/// What comes before and after, of a motion in phases.
-struct Joints {
-  std::optional<State> after = {};  ///< where the motion before ended: this one begins there
-  bool jolts = false;               ///< other than `given`, see Ends: a contact is new while moving
-  const Task* next = nullptr;       ///< whose contacts do not move at the end either
-};
-
 struct Options {
   GoOn go_on = {};
-  std::optional<Motion> from = {};  ///< where to start; otherwise a straight line
-  bool reactions_only = false;      ///< of `from`
-  int threads = 2;                  ///< of functions
-  int blas_threads = 1;             ///< of the linear solver
-  std::string label = {};           ///< before the names of stages
-  Joints joints = {};
+  std::vector<Motion> from = {};  ///< where to start, one a phase; otherwise straight lines
+  bool reactions_only = false;    ///< of `from`
+  int threads = 2;                ///< of functions
+  int blas_threads = 1;           ///< of the linear solver
+  std::string label = {};         ///< before the names of stages
+  Joints joints = {};             ///< at the first start and the last end
 };
 
 Result predict(const Task& task, const Model& model, const Options& options = {});
+/// Phases that are linked each to the next, in one problem.  One result a phase; stages and
+/// seconds, which are those of all, are with the first.
+std::vector<Result> predict_chain(const std::vector<Task>& tasks, const Model& model,
+                                  const Options& options = {});
 
-/// The stages, one by one.  Postures and reactions at both ends:
-Ends predict_ends(const Task& task, const Model& model, posture::Result& start,
-                  posture::Result& end, const Joints& joints = {});
-/// A motion on the bases of the task.
+/// The stages, one by one, after predict_ends.  A motion on the bases of the task:
 Motion first_guess(const Task& task, const Ends& ends);
-/// From `guess`, on its bases.
-Motion improve(const Task& task, const Model& model, const Ends& ends, const Motion& guess,
-               Stage& stage, const Options& options);
-/// The best reactions for a motion that is given, a convex problem; on the bases of `given`.
-Motion react(const Task& task, const Model& model, const Ends& ends, const Motion& given,
-             Stage& stage, const Options& options);
-
-/// How a motion moves at one of its ends.
-State state_at(const Motion& motion, bool at_end);
+/// From the guesses, on their bases.
+std::vector<Motion> improve(const Model& model, const std::vector<Part>& parts, Stage& stage,
+                            const Options& options);
+/// The best reactions for motions that are given, a convex problem; on their bases.
+std::vector<Motion> react(const Model& model, const std::vector<Part>& parts, Stage& stage,
+                          const Options& options);
 
 }  // namespace motion

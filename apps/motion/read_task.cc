@@ -21,7 +21,10 @@ void read_end(toml::table& document, Table& table, const char* key, End& end) {
   const toml::table own = study::over_base(std::move(*document.get(key)->as_table()));
   end.posture = posture::task_of(own, key);
   end.has_objective = own.contains("objective");
-  end.velocity = posture::read_numbers(table, (std::string(key) + "_velocity").c_str());
+  const std::string velocity = std::string(key) + "_velocity";
+  const toml::node* node = table.find(velocity.c_str());
+  end.any_velocity = node && node->value<std::string>() == "any";
+  if (!end.any_velocity) end.velocity = posture::read_numbers(table, velocity.c_str());
 }
 
 /// What the motion asks for, of postures whose tasks do not say.
@@ -111,6 +114,7 @@ bool same_hold(const Contact& a, const Contact& b) {
 }
 
 void check(const Task& task, Table& table) {
+  if (task.start.any_velocity) table.fail("start_velocity is not one by coordinate");
   const std::vector<Contact>& a = task.start.posture.contacts;
   const std::vector<Contact>& b = task.end.posture.contacts;
   if (task.start.posture.model != task.end.posture.model)
@@ -122,11 +126,21 @@ void check(const Task& task, Table& table) {
                  "' does not hold the same point in the same place at start and end");
 }
 
+bool holds(const Task& task, const std::string& contact) {
+  const auto& all = task.start.posture.contacts;
+  return std::any_of(all.begin(), all.end(), [&](const Contact& c) { return c.name == contact; });
+}
+
 /// Between two phases: of what holds on in both, and of what is let go.
 void check_joint(const Task& before, const Task& next, const Table& table) {
   if (before.model != next.model) table.fail("phases have not the same model");
-  if (!next.start.velocity.empty())
+  if (!next.start.velocity.empty() || next.start.any_velocity)
     table.fail("start_velocity is that with which the phase before ends");
+  for (const Contact& contact : next.start.posture.contacts)
+    if (before.end.any_velocity && !holds(before, contact.name))
+      table.fail("contact '" + contact.name +
+                 "' is new: it does not move at the end of the phase before, so that end_velocity "
+                 "cannot be any");
   const std::vector<Contact>& held = next.start.posture.contacts;
   for (const Contact& contact : before.end.posture.contacts) {
     const auto same = std::find_if(held.begin(), held.end(),
@@ -169,6 +183,11 @@ Task task_of(toml::table& document, const std::string& name, const Task* before)
 }
 
 }  // namespace
+
+bool End::at_rest() const {
+  return !any_velocity &&
+         std::all_of(velocity.begin(), velocity.end(), [](const auto& v) { return v.second == 0; });
+}
 
 Plan read_plan(const std::string& path) {
   toml::table document = study::read_document(path);

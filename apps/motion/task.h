@@ -11,7 +11,10 @@ using arboc::nlp::Vector3;
 struct End {
   posture::Task posture{};
   bool has_objective = false;                ///< of its own; otherwise that of the motion
-  std::map<std::string, double> velocity{};  ///< by coordinate, rad/s, m/s; others rest
+  std::map<std::string, double> velocity{};  ///< by coordinate, rad/s, m/s; others follow
+  bool any_velocity = false;                 ///< whichever is best; of an end only
+
+  bool at_rest() const;
 };
 
 /// A target at an instant.

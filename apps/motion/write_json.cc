@@ -54,7 +54,7 @@ Json json_of(const Stage& s) {
           {"hessian_entries", s.hessian},
           {"iterations", s.iterations},
           {"objective", s.objective},
-          {"maximum", s.maximum},
+          {"maxima", s.maxima},
           {"kkt_error", s.kkt_error},
           {"violation", s.violation},
           {"seconds", s.seconds},
@@ -97,6 +97,7 @@ Json json_of(const Task& task, const Model& model, const Result& result) {
               {"audit_passes", result.audit_passes},
               {"audit", json_of(result.audit)},
               {"measures", result.measures}};
+  out["stages"] = Json::array();
   for (const Stage& s : result.stages) out["stages"].push_back(json_of(s));
   out["start"] = json_of(result.start);
   out["end"] = json_of(result.end);

@@ -17,8 +17,8 @@ Problem problem(motion::Task task) {
   posture::Result start, end;
   motion::Ends ends = motion::predict_ends(task, model, start, end);
   const motion::Motion guess = motion::first_guess(task, ends);
-  motion::Built built = motion::build(task, model, ends, guess);
-  const VectorXd x = vector_of(motion::variables_of(built, guess));
+  motion::Built built = motion::build(model, {{&task, &ends, &guess}});
+  const VectorXd x = vector_of(motion::variables_of(built, {guess}));
   return {std::move(task), std::move(ends), std::move(built), x};
 }
 

@@ -111,9 +111,9 @@ TEST(MotionLimits, OwnAxesHaveExactDerivatives) {
   posture::Result start, end;
   const motion::Ends ends = motion::predict_ends(t, model, start, end);
   const motion::Motion guess = motion::first_guess(t, ends);
-  motion::Built built = motion::build(t, model, ends, guess);
+  motion::Built built = motion::build(model, {{&t, &ends, &guess}});
   std::mt19937_64 random(3);
-  VectorXd x = vector_of(motion::variables_of(built, guess));
+  VectorXd x = vector_of(motion::variables_of(built, {guess}));
   x += 0.1 * random_vector(x.size(), random);
   const VectorXd lambda =
       random_vector(static_cast<Eigen::Index>(built.nlp->rows().size()), random);

@@ -68,8 +68,9 @@ TEST(NineDofMotion, TheMaximumCountsTheEnds) {
   posture::Result start, end;
   const motion::Ends ends = motion::predict_ends(t, model, start, end);
   EXPECT_NEAR(motion::largest_normalised(t, model, ends.at[0]), start.max_normalised_torque, 1e-9);
-  const motion::Built built = motion::build(t, model, ends, motion::first_guess(t, ends));
-  EXPECT_NEAR(built.nlp->variables().lower[static_cast<std::size_t>(built.maximum)],
+  const motion::Motion guess = motion::first_guess(t, ends);
+  const motion::Built built = motion::build(model, {{&t, &ends, &guess}});
+  EXPECT_NEAR(built.nlp->variables().lower[static_cast<std::size_t>(built.phases[0].maximum)],
               std::max(start.max_normalised_torque, end.max_normalised_torque), 1e-9);
 }
 

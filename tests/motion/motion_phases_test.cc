@@ -4,11 +4,10 @@
 
 #include "common/task_file.h"
 #include "motion/motion_support.h"
+#include "unit/nlp_support.h"
 
 namespace arboc::test {
 namespace {
-
-using Eigen::VectorXd;
 
 motion::Plan motion_plan(const std::string& name) {
   return motion::read_plan(ARBOC_SOURCE_DIR "/apps/motion/tasks/" + name + ".toml");
@@ -59,6 +58,7 @@ motion::Course expect_course(const motion::Plan& plan) {
   EXPECT_EQ(course.status, nlp::Status::kOptimal) << course.reason;
   EXPECT_TRUE(course.audit_passes);
   EXPECT_EQ(course.phases.size(), plan.phases.size());
+  EXPECT_FALSE(course.phases[0].stages.empty());
   for (std::size_t k = 0; k < course.phases.size(); ++k) {
     expect_moves(plan.phases[k], course.phases[k]);
     if (k > 0) expect_continuous(course.phases[k - 1].samples, course.phases[k].samples);
@@ -108,6 +108,62 @@ TEST(Phases, TheHumanLeansAndGoesOnIntoASquat) {
   EXPECT_LT(s.tau.row(end).head<6>().cwiseAbs().maxCoeff(), 1e-5);
 }
 
+/// Whichever velocity is best is better than one that is asked for.
+TEST(Phases, AnyVelocityIsBetter) {
+  motion::Plan plan = motion_plan("nine_dof_through");
+  const motion::Course asked = motion::predict_phases(plan, posture::model("nine_dof"), {});
+  plan.phases[0].end.velocity.clear();
+  plan.phases[0].end.any_velocity = true;
+  const motion::Course any = expect_course(plan);
+  EXPECT_LT(reaction_jump(any), 1e-9);
+  const auto objective = [](const motion::Course& c) {
+    return c.phases[0].stages.back().objective;
+  };
+  EXPECT_LT(objective(any), 0.9 * objective(asked));
+  const motion::Samples& s = any.phases[0].samples;
+  const Eigen::Index end = s.t.size() - 1;
+  EXPECT_GT(s.v.row(end).cwiseAbs().maxCoeff(), 0.1);
+  // Contacts hold, so velocities are those that they allow to what curves leave between frames.
+  EXPECT_LT(fastest_contact(posture::model("nine_dof"), plan.phases[0].start.posture.contacts,
+                            s.q.row(end), s.v.row(end)),
+            1e-2);
+}
+
+/// Control points that follow from those of the phase before, against differences.
+TEST(Phases, LinkedPhasesHaveExactDerivatives) {
+  motion::Plan plan = motion_plan("nine_dof_through");
+  plan.phases[0].end.any_velocity = true;
+  plan.phases[1].curves.degree = 4;
+  const motion::Model& model = posture::model("nine_dof");
+  std::vector<motion::Ends> ends;
+  std::vector<motion::Motion> guesses;
+  for (motion::Task& t : plan.phases) {
+    t.curves.control_points = 9;
+    t.objective.maximum = t.objective.displacement = 1;
+    motion::Joints joints;
+    if (!ends.empty()) joints = {ends[0].at[1], false, true, nullptr};
+    posture::Result start, end;
+    ends.push_back(motion::predict_ends(t, model, start, end, joints));
+    guesses.push_back(motion::first_guess(t, ends.back()));
+  }
+  motion::Built built = motion::build(
+      model, {{&plan.phases[0], &ends[0], &guesses[0]}, {&plan.phases[1], &ends[1], &guesses[1]}});
+  std::mt19937_64 random(4);
+  VectorXd x = vector_of(motion::variables_of(built, guesses));
+  x += 0.05 * random_vector(x.size(), random);
+  const VectorXd lambda =
+      random_vector(static_cast<Eigen::Index>(built.nlp->rows().size()), random);
+  const DerivativeErrors e = derivative_errors(*built.nlp, x, lambda, 0.7, 1e-3);
+  EXPECT_LT(e.gradient, 1e-9);
+  EXPECT_LT(e.jacobian, 1e-9);
+  EXPECT_LT(e.hessian, 1e-8);
+  // Whatever the variables, the curves go on smoothly.
+  const std::vector<motion::Motion> m = motion::motions_of(built, {x.data(), x.data() + x.size()});
+  for (int k = 0; k <= 2; ++k)
+    EXPECT_LT((m[0].q(plan.phases[0].duration, k) - m[1].q(0, k)).cwiseAbs().maxCoeff(),
+              1e-9 * m[0].q(plan.phases[0].duration, k).cwiseAbs().maxCoeff());
+}
+
 /// Contacts change where the body is at rest, and nothing jumps.
 TEST(Phases, AFootIsLetGoAndLandsOneRungUp) {
   const motion::Plan plan = motion_plan("santos_climb");
@@ -128,6 +184,41 @@ TEST(Phases, AFootIsLetGoAndLandsOneRungUp) {
     const motion::Samples& s = course.phases[k].samples;
     EXPECT_LT(s.v.bottomRows<1>().cwiseAbs().maxCoeff(), 1e-12);
   }
+}
+
+/// A hand reaches its hold while the body moves: it does not move there, and its load comes at
+/// once.
+TEST(Phases, AHandTakesHoldOfAMovingBody) {
+  motion::Plan plan = motion_plan("nine_dof_through");
+  motion::Task& first = plan.phases[0];
+  const nlp::Contact left = first.end.posture.contacts[1];
+  EXPECT_EQ(left.name, "left hand");
+  for (posture::Task* at : {&first.start.posture, &first.end.posture}) {
+    at->contacts.pop_back();
+    at->torque_limits = false;
+  }
+  // One hand carries it only below itself, at x = 0.06 m.
+  first.start.posture.targets[0].place.at = {0.06, 0.03, 0};
+  first.end.posture.targets[0].place.at = {0.03, 0.06, 0};
+  first.end.posture.targets.push_back({left.name, left.frame, left.point, left.place});
+  first.end.velocity = {{"x", 0.1}};
+  EXPECT_EQ(motion::joint_of(first, plan.phases[1]), motion::Joint::kJolt);
+  const motion::Model& model = posture::model("nine_dof");
+  const motion::Course course = motion::predict_phases(plan, model, {});
+  ASSERT_EQ(course.status, nlp::Status::kOptimal) << course.reason;
+  for (std::size_t k = 0; k < 2; ++k) expect_moves(plan.phases[k], course.phases[k]);
+  const motion::Samples &a = course.phases[0].samples, &b = course.phases[1].samples;
+  const Eigen::Index end = a.t.size() - 1;
+  EXPECT_LT((a.q.row(end) - b.q.row(0)).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((a.v.row(end) - b.v.row(0)).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_NEAR(a.v(end, 0), 0.1, 1e-12);
+  EXPECT_LT(fastest_contact(model, {left}, a.q.row(end), a.v.row(end)), 1e-9);
+  const motion::Result whole = motion::whole(plan, course);
+  EXPECT_EQ(whole.samples.reactions.block(0, 6, end + 1, 6).cwiseAbs().maxCoeff(), 0);
+  EXPECT_GT(b.reactions.row(0).tail<6>().norm(), 1);
+  // The equations of motion hold on both sides.
+  EXPECT_LT(a.tau.row(end).head<3>().cwiseAbs().maxCoeff(), 1e-5);
+  EXPECT_LT(b.tau.row(0).head<3>().cwiseAbs().maxCoeff(), 1e-5);
 }
 
 /// From a velocity to rest, in one phase.

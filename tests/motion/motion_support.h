@@ -18,7 +18,7 @@ inline motion::Result solve_motion(const motion::Task& t) {
 /// Reactions of a motion that is given, on its own bases, a convex problem.
 inline motion::Result reactions_of(const motion::Task& t, const motion::Motion& given) {
   motion::Options options;
-  options.from = given;
+  options.from = {given};
   options.reactions_only = true;
   return motion::predict(t, posture::model(t.model), options);
 }
@@ -36,7 +36,7 @@ inline void expect_same_reactions(const motion::Task& t, const motion::Result& b
 
 inline void expect_moves(const motion::Task& t, const motion::Result& r) {
   EXPECT_EQ(r.status, nlp::Status::kOptimal) << t.name << ": " << r.reason;
-  ASSERT_FALSE(r.stages.empty());
+  EXPECT_GE(r.audit.instants, 401);
   for (const motion::Stage& s : r.stages) {
     EXPECT_LE(s.kkt_error, 10 * t.search.kkt) << t.name << ", " << s.name;
     EXPECT_LE(s.violation, 1e-7) << t.name << ", " << s.name;

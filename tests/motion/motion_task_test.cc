@@ -75,6 +75,8 @@ TEST(MotionTask, PhasesFitTogether) {
                               "/apps/motion/tasks/santos_lean.toml\"\n")
                 .find("not the same model"),
             std::string::npos);
+  EXPECT_NE(complaint("start_velocity = \"any\"\n" + kEnds).find("start_velocity"),
+            std::string::npos);
   EXPECT_NE(complaint("phase = []\n").find("no phase"), std::string::npos);
   EXPECT_THROW(motion_task("nine_dof_through"), study::TaskError);
 }
