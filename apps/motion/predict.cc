@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 constexpr int kAuditPerFrame = 10, kLeastInstants = 401;
 /// Least maxima are met between frames to this part; rounds of more frames of torques until they
 /// are.
-constexpr double kPeak = 1e-4;
+constexpr double kPeak = 1e-6;
 constexpr int kMostRounds = 12;
 /// KKT error of reactions alone.  Regularity decides on those that ask for no torques; its
 /// curvature is 2e-6 an (100 N)^2, so that 1e-6 leaves up to some N open.  One iteration more than

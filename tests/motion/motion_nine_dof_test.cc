@@ -41,14 +41,14 @@ Peaks peaks(int objective, const std::vector<double>& durations) {
 }
 
 /// With more time the least peak falls to that of rest, and stays there (in the document it rose).
-/// Between frames it is met to a part of 1e-4.
+/// What is left is the price of smoothness, 5e-11 of it: below 1e-5 of the peak.
 TEST(NineDofMotion, LeastPeakTorqueFallsWithDurationToThatOfRest) {
-  const Peaks p = peaks(4, {0.3, 0.4, 1, 2, 5, 30, 100, 300});
+  const Peaks p = peaks(4, {0.3, 0.4, 1, 5, 30, 100, 300});
   EXPECT_LT(1.4 * p.at[1], p.at[0]);
   EXPECT_LT(1.002 * p.at[2], p.at[1]);
   for (std::size_t k = 2; k < p.at.size(); ++k) {
-    EXPECT_LE(p.at[k], p.at[k - 1] * (1 + 1e-4)) << k;
-    EXPECT_LE(p.at[k], p.at_rest * (1 + 1.01e-4)) << k;
+    EXPECT_LE(p.at[k], p.at[k - 1] * (1 + 1e-5)) << k;
+    EXPECT_LE(p.at[k], p.at_rest * (1 + 1e-5)) << k;
   }
 }
 
