@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <map>
 
+#include "functions/derived_signature.h"
 #include "functions/lane_tree.h"
+#include "functions/recursion.h"
 #include "functions/run.h"
 #include "graph/canonical.h"
 
@@ -17,6 +19,12 @@ bool sums_limbs(const std::string& function) {
   return std::count(std::begin(kFunctions), std::end(kFunctions), function) > 0;
 }
 
+size_t output_of(const Signature& s, const std::string& name) {
+  size_t k = 0;
+  while (s.outputs[k].name != name) ++k;
+  return k;
+}
+
 class LaneTracer {
  public:
   LaneTracer(const Signature& signature, const Setup& setup, const LoweringOptions& lowering)
@@ -25,27 +33,34 @@ class LaneTracer {
         builder_(signature.name),
         tree_(lane_tree(lower(setup, lowering), limbs_in_lanes(setup, lowering), builder_)) {}
 
-  Graph run(const std::vector<Pattern>& patterns) {
+  /// By the algorithm of `function`, whose outputs those asked for are, in the order of `outputs`.
+  Graph run(const Signature& function, const std::vector<size_t>& outputs,
+            const std::vector<Pattern>& patterns) {
     Arguments<Expr> inputs;
     builder_.begin_block("limbs side by side");
     for (const Argument& a : signature_.inputs)
       inputs[a.name] =
           gathered(builder_.input(a.name, a.rows * a.cols), a.name == "q" ? tree_.q : tree_.v);
-    Signature reduced = signature_;
+    for (const Argument& a : function.inputs) inputs.try_emplace(a.name, tree_.v.size(), Expr(0));
+    Signature reduced = function;
     for (Argument& a : reduced.outputs) {
       a.rows = tree_.tree.nv;
       a.cols = a.cols == 1 ? 1 : tree_.tree.nv;
     }
     auto results = arboc::run(reduced, tree_.tree, setup_, inputs);
     std::vector<Expr*> roots;
-    for (std::vector<Expr>& result : results)
-      for (Expr& x : result) roots.push_back(&x);
+    for (const size_t k : outputs)
+      for (Expr& x : results[k]) roots.push_back(&x);
+    if (!function.positive.empty())
+      for (Expr& x : results.back()) roots.push_back(&x);
     canonicalise(builder_, roots, NodeOrder::kByCones);
-    for (size_t k = 0; k < signature_.outputs.size(); ++k) {
-      const Argument& a = signature_.outputs[k];
-      output(a.code(), a.cols == 1 ? vector(results[k]) : matrix(a, results[k], patterns[k]));
+    for (size_t k = 0; k < outputs.size(); ++k) {
+      const Argument& a = function.outputs[outputs[k]];
+      const std::vector<Expr>& result = results[outputs[k]];
+      output(signature_.outputs[k].code(),
+             a.cols == 1 ? vector(result) : matrix(a, result, patterns[k]));
     }
-    if (!signature_.positive.empty()) output(signature_.positive, vector(results.back()));
+    if (!function.positive.empty()) output(function.positive, vector(results.back()));
     return std::move(builder_).finish();
   }
 
@@ -87,8 +102,11 @@ class LaneTracer {
       }
     }
     std::vector<Expr> list;
-    for (size_t k = 0; k < pattern.row.size(); ++k)
-      list.push_back(entries[{pattern.row[k], pattern.col[k]}]);
+    for (size_t k = 0; k < pattern.row.size(); ++k) {
+      int row = pattern.row[k], col = pattern.col[k];
+      if (a.symmetric && row > col) std::swap(row, col);
+      list.push_back(entries[{row, col}]);
+    }
     return list;
   }
 
@@ -113,11 +131,21 @@ std::vector<LimbGroup> limbs_in_lanes(const Setup& setup, const LoweringOptions&
 std::optional<Graph> trace_in_lanes(const Request& request, const Setup& setup,
                                     const LoweringOptions& lowering,
                                     const std::vector<Pattern>& patterns) {
-  if (request.derivative != Derivative::kNone || !sums_limbs(request.function)) return {};
+  const JacobianRecursion* recursion = recursion_of(request, setup);
+  if (request.derivative != Derivative::kNone && !recursion) return {};
+  if (!sums_limbs(recursion ? recursion->function : request.function)) return {};
   if (!setup.parameters.empty() || !setup.loads.empty()) return {};
   if (limbs_in_lanes(setup, lowering).empty()) return {};
   const Signature asked = signature(request, setup);
-  return LaneTracer(asked, setup, lowering).run(patterns);
+  const Signature function = recursion ? signature(Request{recursion->function}, setup) : asked;
+  std::vector<size_t> outputs;
+  for (size_t k = 0; k < asked.outputs.size(); ++k) outputs.push_back(k);
+  if (recursion) {
+    const std::vector<std::string> with =
+        derived_inputs(request, signature(Request{request.function}, setup));
+    for (size_t& k : outputs) k = output_of(function, recursion->output(with[k]));
+  }
+  return LaneTracer(asked, setup, lowering).run(function, outputs, patterns);
 }
 
 }  // namespace arboc

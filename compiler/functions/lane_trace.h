@@ -13,7 +13,7 @@ std::vector<LimbGroup> limbs_in_lanes(const Setup& setup, const LoweringOptions&
 
 /// The same inputs and outputs as the plain trace, whose patterns are given; nothing where the tree
 /// has no such limbs, or where the function needs more than sums over them: derivatives on the
-/// graph, parameters, loads, and algorithms in which limbs meet one another.
+/// graph that no algorithm has, parameters, loads, and algorithms in which limbs meet one another.
 std::optional<Graph> trace_in_lanes(const Request& request, const Setup& setup,
                                     const LoweringOptions& lowering,
                                     const std::vector<Pattern>& patterns);

@@ -70,15 +70,21 @@ TEST(LimbsInLanes, WithForcesOfTheJoints) {
     FunctionOptions options;
     options.joint_forces = {true, true, true, true};
     const arboc::Setup setup = resolve(model, options);
-    for (const char* function : {"rnea", "crba", "rnea_derivatives"}) {
-      const Traced plain = trace({function}, setup, lowerings(function)[0]);
-      const auto lanes = trace_in_lanes({function}, setup, lowerings(function)[0], plain.patterns);
-      ASSERT_TRUE(lanes);
+    const auto jacobian = [](const char* of) {
+      return parse_request("--jacobian", Derivative::kJacobian, of);
+    };
+    for (const Request& request :
+         {Request{"rnea"}, Request{"crba"}, Request{"rnea_derivatives"}, jacobian("rnea.tau:v,a,q"),
+          jacobian("nle.nle:q"), jacobian("statics.tau:q")}) {
+      const LoweringOptions lowering = lowerings(request.function)[0];
+      const Traced plain = trace(request, setup, lowering);
+      const auto lanes = trace_in_lanes(request, setup, lowering, plain.patterns);
+      ASSERT_TRUE(lanes) << text(request);
       const Values in = arboc::test::inputs_of(random_state(model, random));
       const auto expected = evaluate(plain.graph, inputs_of(plain.graph, in));
       const auto got = evaluate(*lanes, inputs_of(*lanes, in));
       for (size_t p = 0; p < got.size(); ++p)
-        EXPECT_LE(relative_error(got[p], expected[p]), 1e-12) << function << ", seed " << seed;
+        EXPECT_LE(relative_error(got[p], expected[p]), 1e-12) << text(request) << ", seed " << seed;
     }
   }
 }
@@ -138,7 +144,12 @@ TEST(LimbsInLanes, NotWhereNothingRepeatsOrMoreThanSumsIsNeeded) {
   const arboc::Setup setup = resolve(model);
   EXPECT_FALSE(compile_function({"minv"}, setup).lanes);
   EXPECT_FALSE(compile_function({"energy"}, setup).lanes);
-  EXPECT_FALSE(compile_function({"rnea", Derivative::kJacobian, "tau"}, setup).lanes);
+  EXPECT_FALSE(compile_function({"rnea", Derivative::kVjp, "tau"}, setup).lanes);
+  EXPECT_FALSE(compile_function({"energy", Derivative::kJacobian, "T"}, setup).lanes);
+  const CompiledFunction jacobian = compile_function({"rnea", Derivative::kJacobian, "tau"}, setup);
+  ASSERT_TRUE(jacobian.lanes);
+  EXPECT_EQ(jacobian.lanes->program.ops.total(),
+            compile_function({"rnea_derivatives"}, setup).lanes->program.ops.total());
   FunctionOptions plain, parameters;
   plain.simplify.limbs = false;
   parameters.parameters = {"gravity"};
