@@ -181,11 +181,8 @@ State handed_over(State state, const Task& before, const Task& next) {
 }
 
 Joint joint_of(const Task& before, const Task& next) {
-  const auto& old = before.start.posture.contacts;
-  const bool is_new =
-      std::any_of(next.start.posture.contacts.begin(), next.start.posture.contacts.end(),
-                  [&](const Contact& c) { return contact_index(old, c.name) < 0; });
-  return before.end.at_rest() ? Joint::kRest : is_new ? Joint::kJolt : Joint::kSmooth;
+  if (before.end.at_rest()) return Joint::kRest;
+  return new_contacts(before, next).empty() ? Joint::kSmooth : Joint::kJolt;
 }
 
 }  // namespace motion

@@ -126,9 +126,10 @@ void check(const Task& task, Table& table) {
                  "' does not hold the same point in the same place at start and end");
 }
 
-bool holds(const Task& task, const std::string& contact) {
-  const auto& all = task.start.posture.contacts;
-  return std::any_of(all.begin(), all.end(), [&](const Contact& c) { return c.name == contact; });
+bool pushes(const Contact& contact) {
+  const auto nothing = [](const Limits& l) { return l.lower == 0 && l.upper == 0; };
+  return !(std::all_of(contact.force.begin(), contact.force.end(), nothing) &&
+           std::all_of(contact.moment.begin(), contact.moment.end(), nothing));
 }
 
 /// Between two phases: of what holds on in both, and of what is let go.
@@ -136,11 +137,10 @@ void check_joint(const Task& before, const Task& next, const Table& table) {
   if (before.model != next.model) table.fail("phases have not the same model");
   if (!next.start.velocity.empty() || next.start.any_velocity)
     table.fail("start_velocity is that with which the phase before ends");
-  for (const Contact& contact : next.start.posture.contacts)
-    if (before.end.any_velocity && !holds(before, contact.name))
-      table.fail("contact '" + contact.name +
-                 "' is new: it does not move at the end of the phase before, so that end_velocity "
-                 "cannot be any");
+  if (const auto fresh = new_contacts(before, next); before.end.any_velocity && !fresh.empty())
+    table.fail("contact '" + fresh.front() +
+               "' is new: it does not move at the end of the phase before, so that end_velocity "
+               "cannot be any");
   const std::vector<Contact>& held = next.start.posture.contacts;
   for (const Contact& contact : before.end.posture.contacts) {
     const auto same = std::find_if(held.begin(), held.end(),
@@ -148,9 +148,7 @@ void check_joint(const Task& before, const Task& next, const Table& table) {
     if (same != held.end() && !same_hold(contact, *same))
       table.fail("contact '" + contact.name +
                  "' does not hold the same point in the same place as in the phase before");
-    const auto nothing = [](const Limits& l) { return l.lower == 0 && l.upper == 0; };
-    if (same == held.end() && !(std::all_of(contact.force.begin(), contact.force.end(), nothing) &&
-                                std::all_of(contact.moment.begin(), contact.moment.end(), nothing)))
+    if (same == held.end() && pushes(contact))
       table.fail("contact '" + contact.name +
                  "' is let go: at the end of the phase before its force and moment are 0");
   }
@@ -183,6 +181,18 @@ Task task_of(toml::table& document, const std::string& name, const Task* before)
 }
 
 }  // namespace
+
+std::vector<std::string> new_contacts(const Task& before, const Task& next) {
+  const std::vector<Contact>& old = before.start.posture.contacts;
+  std::vector<std::string> out;
+  for (const Contact& contact : next.start.posture.contacts) {
+    const bool held = std::any_of(old.begin(), old.end(),
+                                  [&](const Contact& c) { return c.name == contact.name; });
+    const bool holds = contact.place.kind != arboc::nlp::Place::Kind::kAbove || pushes(contact);
+    if (holds && !held) out.push_back(contact.name);
+  }
+  return out;
+}
 
 bool End::at_rest() const {
   return !any_velocity &&

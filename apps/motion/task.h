@@ -78,6 +78,10 @@ struct Plan {
   std::vector<Task> phases;  ///< at least one
 };
 
+/// Contacts of `next` that hold something and are not in `before`; those that only keep a point
+/// above something, and push on nothing, hold nothing.
+std::vector<std::string> new_contacts(const Task& before, const Task& next);
+
 /// Throws study::TaskError with file, line and column.
 Plan read_plan(const std::string& path);
 /// Of a file without phases.

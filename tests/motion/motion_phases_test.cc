@@ -26,15 +26,13 @@ VectorXd placement_rates(const motion::Model& model, const VectorXd& q, const Ve
   return (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
 }
 
-/// At frames' origins, where the contacts of these tasks are.
 double fastest_contact(const motion::Model& model, const std::vector<nlp::Contact>& contacts,
                        const VectorXd& q, const VectorXd& v) {
   const VectorXd rates = placement_rates(model, q, v);
   double fastest = 0;
   for (const nlp::Contact& c : contacts) {
-    EXPECT_TRUE(c.point.isZero());
-    const VectorXd p = rates.segment<3>(12 * model.robot.frame(c.frame) + 9);
-    fastest = std::max(fastest, p.norm());
+    const nlp::Placement rate(rates.data() + 12 * model.robot.frame(c.frame));
+    fastest = std::max(fastest, rate(c.point).norm());
   }
   return fastest;
 }
@@ -223,6 +221,41 @@ TEST(Phases, AHandTakesHoldOfAMovingBody) {
   // The equations of motion hold on both sides.
   EXPECT_LT(a.tau.row(end).head<3>().cwiseAbs().maxCoeff(), 1e-5);
   EXPECT_LT(b.tau.row(0).head<3>().cwiseAbs().maxCoeff(), 1e-5);
+}
+
+/// One foot lands while the body goes on, the other one is let go while it does: two steps of a
+/// robot from a URDF file.
+TEST(Phases, TheHumanoidTakesTwoSteps) {
+  const motion::Plan plan = motion_plan("humanoid_walk");
+  EXPECT_EQ(motion::joint_of(plan.phases[0], plan.phases[1]), motion::Joint::kJolt);
+  EXPECT_EQ(motion::joint_of(plan.phases[1], plan.phases[2]), motion::Joint::kSmooth);
+  const motion::Model& model = posture::model("humanoid");
+  const motion::Course course = motion::predict_phases(plan, model, {});
+  ASSERT_EQ(course.status, nlp::Status::kOptimal) << course.reason;
+  for (std::size_t k = 0; k < 3; ++k) expect_moves(plan.phases[k], course.phases[k]);
+  const motion::Samples &one = course.phases[0].samples, &both = course.phases[1].samples,
+                        &two = course.phases[2].samples;
+  const Eigen::Index end = one.t.size() - 1, last = both.t.size() - 1;
+  // It lands without a shock, and takes its load at once.
+  EXPECT_NEAR(one.v(end, model.robot.coordinate("root_joint.x")), 0.1, 1e-12);
+  EXPECT_LT((one.q.row(end) - both.q.row(0)).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((one.v.row(end) - both.v.row(0)).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT(
+      fastest_contact(model, plan.phases[1].start.posture.contacts, both.q.row(0), both.v.row(0)),
+      1e-9);
+  // It leaves the ground when it carries nothing any more.
+  expect_continuous(both, two);
+  EXPECT_GT(both.v.row(last).norm(), 0.01);
+  EXPECT_EQ(plan.phases[1].start.posture.contacts[0].name, "left foot");
+  EXPECT_EQ(plan.phases[2].start.posture.contacts[0].name, "right foot");
+  EXPECT_GT(both.reactions(last / 4, 2), 50);
+  EXPECT_LT(both.reactions.row(last).head<6>().cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT(
+      (both.reactions.row(last).tail<6>() - two.reactions.row(0).head<6>()).cwiseAbs().maxCoeff(),
+      1e-9);
+  const double steps = two.placements(two.t.size() - 1, 12 * model.robot.frame("left_foot") + 9) -
+                       one.placements(0, 12 * model.robot.frame("left_foot") + 9);
+  EXPECT_NEAR(steps, 0.4, 1e-6);
 }
 
 /// From a velocity to rest, in one phase.

@@ -88,6 +88,17 @@ TEST(MotionTask, WhatIsLetGoCarriesNothing) {
   EXPECT_NE(complaint(phases).find("contact 'right foot' is let go"), std::string::npos);
 }
 
+TEST(MotionTask, WhatTakesHoldDoesNotMove) {
+  const std::string base = "base = \"" ARBOC_SOURCE_DIR "/apps/motion/tasks/humanoid_",
+                    step = "[[phase]]\n" + base + "step.toml\"\n",
+                    both = "[[phase]]\n[phase.start]\n" + base + "walk_both.toml\"\n" +
+                           "[phase.end]\n" + base + "walk_both.toml\"\n";
+  EXPECT_EQ(complaint(step + both), "");
+  EXPECT_EQ(complaint(step + "end_velocity = { left_knee = 0.1 }\n" + both), "");
+  EXPECT_NE(complaint(step + "end_velocity = \"any\"\n" + both).find("'right foot' is new"),
+            std::string::npos);
+}
+
 TEST(MotionTask, PosturesHaveTheObjectiveOfTheMotionUnlessTheirOwn) {
   const motion::Task t = motion_task("nine_dof_trial3_obj2");
   EXPECT_EQ(t.start.posture.objective.torque, 1);

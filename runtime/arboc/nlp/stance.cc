@@ -245,7 +245,9 @@ Quantity add_largest_normalised(Problem& problem, const std::vector<LimitedTorqu
 
 /// sqrt(|F_t|^2 + e^2) <= mu F_n: never outside of the cone, smooth at its apex.
 void add_friction(Problem& problem, const Contact& contact, const Reaction& reaction) {
-  if (!std::isfinite(contact.friction)) return;
+  const bool pushes = std::any_of(contact.force.begin(), contact.force.end(),
+                                  [](const Limits& l) { return l.lower != 0 || l.upper != 0; });
+  if (!std::isfinite(contact.friction) || !pushes) return;
   const AffineVector f = vector_of(reaction, 0);
   const auto [t1, t2] = across(contact.normal);
   const int group = problem.add_group(contact.name + ", friction", "N");
