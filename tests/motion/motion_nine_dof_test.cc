@@ -11,6 +11,7 @@ std::string name(int trial, int objective) {
 TEST(NineDofMotion, AllCasesSolveAndPassTheAudit) {
   for (int trial = 1; trial <= 8; ++trial) {
     for (int objective = 1; objective <= 5; ++objective) {
+      if (objective == 4 && 3 <= trial && trial <= 6) continue;  // those of other durations, below
       const motion::Task t = motion_task(name(trial, objective));
       const motion::Result r = solve_motion(t);
       expect_moves(t, r);
@@ -25,25 +26,34 @@ TEST(NineDofMotion, AllCasesSolveAndPassTheAudit) {
 struct Peaks {
   std::vector<double> at;
   double at_rest = 0;  ///< of the postures at the ends
-};
-Peaks peaks(int objective, const std::vector<double>& durations) {
-  Peaks out;
-  for (const double duration : durations) {
-    motion::Task t = motion_task(name(3, objective));
-    t.duration = duration;
+
+  void add(const motion::Task& t) {
     const motion::Result r = solve_motion(t);
     expect_moves(t, r);
-    out.at.push_back(r.audit.largest_normalised);
-    out.at_rest = std::max(r.start.max_normalised_torque, r.end.max_normalised_torque);
-    EXPECT_GE(out.at.back(), out.at_rest * (1 - 1e-9)) << duration;
+    at.push_back(r.audit.largest_normalised);
+    at_rest = std::max(r.start.max_normalised_torque, r.end.max_normalised_torque);
+    EXPECT_GE(at.back(), at_rest * (1 - 1e-9)) << t.duration;
   }
-  return out;
-}
+  void add(int objective, double duration) {
+    motion::Task t = motion_task(name(3, objective));
+    t.duration = duration;
+    add(t);
+  }
+};
 
 /// With more time the least peak falls to that of rest, and stays there (in the document it rose).
 /// What is left is the price of smoothness, 5e-11 of it: below 1e-5 of the peak.
 TEST(NineDofMotion, LeastPeakTorqueFallsWithDurationToThatOfRest) {
-  const Peaks p = peaks(4, {0.3, 0.4, 1, 5, 30, 100, 300});
+  Peaks p;
+  for (const double duration : {0.3, 0.4, 1.0}) p.add(4, duration);
+  double before = 1;
+  for (const int trial : {4, 3, 5, 6}) {  // 5, 30, 100, 300 s
+    const motion::Task t = motion_task(name(trial, 4));
+    EXPECT_GT(t.duration, before);
+    before = t.duration;
+    p.add(t);
+  }
+  EXPECT_EQ(before, 300);
   EXPECT_LT(1.4 * p.at[1], p.at[0]);
   EXPECT_LT(1.002 * p.at[2], p.at[1]);
   for (std::size_t k = 2; k < p.at.size(); ++k) {
@@ -55,7 +65,9 @@ TEST(NineDofMotion, LeastPeakTorqueFallsWithDurationToThatOfRest) {
 /// So does that of the motion with the least mean of squares, of which rest at the ends is the
 /// most.
 TEST(NineDofMotion, PeakTorqueOfLeastSquaresFallsWithDurationToThatOfRest) {
-  const Peaks p = peaks(3, {0.25, 0.3, 0.4, 0.5, 1, 2, 5, 30, 100, 300});
+  Peaks p;
+  for (const double duration : {0.25, 0.3, 0.4, 0.5, 1.0, 2.0, 5.0, 30.0, 100.0, 300.0})
+    p.add(3, duration);
   for (std::size_t k = 1; k < 4; ++k) EXPECT_LT(1.05 * p.at[k], p.at[k - 1]) << k;
   for (std::size_t k = 3; k < p.at.size(); ++k) EXPECT_NEAR(p.at[k], p.at_rest, 1e-9) << k;
 }
