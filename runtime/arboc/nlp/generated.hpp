@@ -112,7 +112,8 @@ class Generated : public Function {
       for (std::size_t k = 0; k < hessian_.size(); ++k) *entries++ *= weights[s];
   }
   void use_threads(int count) override {
-    values_ = std::make_unique<Points<Value, N>>(count);
+    // Values take less than it takes to wake a thread.
+    values_ = std::make_unique<Points<Value, N>>(1);
     jacobians_ = std::make_unique<Points<Jacobian, N>>(count);
     hessians_ = std::make_unique<Points<Hessian, N>>(count);
   }
