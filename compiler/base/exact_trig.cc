@@ -1,7 +1,9 @@
 #include "base/exact_trig.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 
@@ -89,7 +91,9 @@ std::optional<long> multiple_of_15_degrees(double angle, double tolerance) {
   return static_cast<long>(k);
 }
 
-SinCos exact_sincos(double angle) {
+namespace {
+
+SinCos computed_sincos(double angle) {
   constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
   if (const auto k = multiple_of_15_degrees(angle, kRounding * std::fabs(angle))) {
     const long quarter = std::lround(static_cast<double>(*k) / 6.0);
@@ -107,6 +111,21 @@ SinCos exact_sincos(double angle) {
   const DoubleDouble sine = series(x, x2, 2);
   const DoubleDouble cosine = series({1.0, 0.0}, x2, 1);
   return quarter_turns({sine.hi, cosine.hi}, static_cast<long>(k));
+}
+
+}  // namespace
+
+SinCos exact_sincos(double angle) {
+  struct Known {
+    std::uint64_t bits = 0;
+    SinCos value;  ///< at first of 0
+  };
+  constexpr unsigned kSlots = 1024;
+  thread_local std::array<Known, kSlots> table{};
+  const auto bits = std::bit_cast<std::uint64_t>(angle);
+  Known& known = table[(bits * 0x9E3779B97F4A7C15u) >> 54];
+  if (known.bits != bits) known = {bits, computed_sincos(angle)};
+  return known.value;
 }
 
 }  // namespace arboc

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "base/exact_trig.h"
 
@@ -76,6 +77,22 @@ TEST_F(ExprTrace, ConstantSinesAreThoseOfExactTrig) {
     EXPECT_EQ(s.value(), exact_sincos(angle).sin) << angle;
     EXPECT_EQ(c.value(), exact_sincos(angle).cos) << angle;
   }
+}
+
+/// More angles than are remembered, in two orders: each has its own sine whatever was asked before.
+TEST(ExactSincos, DoesNotDependOnWhatWasAskedBefore) {
+  std::vector<SinCos> first;
+  for (int k = -5000; k <= 5000; ++k) first.push_back(exact_sincos(k * 1e-3));
+  for (int k = 5000; k >= -5000; --k) {
+    const double angle = k * 1e-3;
+    const SinCos at = exact_sincos(angle), before = first[static_cast<size_t>(k + 5000)];
+    EXPECT_EQ(at.sin, before.sin);
+    EXPECT_EQ(at.cos, before.cos);
+    EXPECT_NEAR(at.sin, std::sin(angle), 2e-16);
+    EXPECT_NEAR(at.cos, std::cos(angle), 2e-16);
+    EXPECT_EQ(exact_sincos(angle).sin, at.sin);
+  }
+  EXPECT_EQ(exact_sincos(0).cos, 1);
 }
 
 TEST_F(ExprTrace, WhatFoldsToAConstantLeavesTheGraph) {
