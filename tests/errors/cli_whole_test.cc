@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/mount.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -45,18 +46,20 @@ int check_folder(const std::string& folder) {
   return run_arboc({"check", "--folder", folder}).status;
 }
 
-/// The files of both versions, made without disturbance, and the seconds that it takes.
+/// The files of both versions, made without disturbance, and the seconds that it takes: the least
+/// of several runs, for a busy machine may slow one down many times.
 struct Whole {
   Texts files[2];
-  double seconds = 0;
+  double seconds = 1e9;
 };
 Whole whole_versions() {
   Whole whole;
-  for (int version : {0, 1}) {
+  for (int version : {0, 1, 0, 1, 0, 1}) {
     const TempDir folder;
     const auto start = std::chrono::steady_clock::now();
     EXPECT_EQ(run_arboc(compile_command(folder.path(), version)).status, 0);
-    whole.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    whole.seconds = std::min(whole.seconds, taken.count());
     whole.files[version] = texts_of(folder / "ur5");
   }
   return whole;
