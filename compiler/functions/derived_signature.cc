@@ -98,6 +98,12 @@ const Argument& named(const std::vector<Argument>& arguments, const std::string&
 }
 
 /// Each input by which a derivative is taken is there, once.
+size_t output_index(const Signature& s, const std::string& name) {
+  size_t k = 0;
+  while (s.outputs.at(k).name != name) ++k;
+  return k;
+}
+
 void check_inputs(const Request& request, const Signature& s) {
   for (const std::string& input : request.with) {
     named(s.inputs, input, request, "input");

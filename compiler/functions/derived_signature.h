@@ -13,6 +13,9 @@ std::vector<std::string> derived_inputs(const Request& request, const Signature&
 const Argument& named(const std::vector<Argument>& arguments, const std::string& name,
                       const Request& request, const char* what);
 
+/// The place of an output that there is.
+size_t output_index(const Signature& s, const std::string& name);
+
 /// Each input by which a derivative is taken is there, once.
 void check_inputs(const Request& request, const Signature& s);
 

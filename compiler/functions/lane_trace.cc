@@ -19,12 +19,6 @@ bool sums_limbs(const std::string& function) {
   return std::count(std::begin(kFunctions), std::end(kFunctions), function) > 0;
 }
 
-size_t output_of(const Signature& s, const std::string& name) {
-  size_t k = 0;
-  while (s.outputs[k].name != name) ++k;
-  return k;
-}
-
 class LaneTracer {
  public:
   LaneTracer(const Signature& signature, const Setup& setup, const LoweringOptions& lowering)
@@ -143,7 +137,7 @@ std::optional<Graph> trace_in_lanes(const Request& request, const Setup& setup,
   if (recursion) {
     const std::vector<std::string> with =
         derived_inputs(request, signature(Request{request.function}, setup));
-    for (size_t& k : outputs) k = output_of(function, recursion->output(with[k]));
+    for (size_t& k : outputs) k = output_index(function, recursion->output(with[k]));
   }
   return LaneTracer(asked, setup, lowering).run(function, outputs, patterns);
 }

@@ -108,11 +108,6 @@ class Tracer {
 
   /// Of what derivatives are taken.
   Signature base() const { return signature(Request{request_.function}, setup_); }
-  static size_t output_of(const Signature& s, const std::string& name) {
-    size_t k = 0;
-    while (s.outputs[k].name != name) ++k;
-    return k;
-  }
 
   void derived() {
     const Signature s = base();
@@ -121,7 +116,7 @@ class Tracer {
     std::vector<CoordinateBlock> blocks;
     for (const std::string& input : with) blocks.push_back(coordinates(input));
     settle(NodeOrder::kByLevels, results, blocks);
-    const size_t k = output_of(s, request_.output);
+    const size_t k = output_index(s, request_.output);
     std::vector<Ref> values;
     for (const Expr& x : filled(s.outputs[k], results[k])) values.push_back(x.ref(builder_));
     if (request_.derivative == Derivative::kJacobian)
@@ -142,7 +137,7 @@ class Tracer {
         continue;
       }
       if (all.empty()) all = evaluate(s, setup_);
-      const size_t k = output_of(s, recursion.output(input));
+      const size_t k = output_index(s, recursion.output(input));
       columns.push_back(filled(s.outputs[k], all[k]));
     }
     std::vector<CoordinateBlock> none;
