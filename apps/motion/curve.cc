@@ -1,7 +1,6 @@
 #include "curve.h"
 
 #include <Eigen/LU>
-#include <algorithm>
 
 namespace motion {
 
@@ -32,32 +31,13 @@ BasisAt basis_at(const BSplineBasis& basis, double t, int order) {
   return {span - basis.degree(), basis.derivatives(t, order, span)};
 }
 
-namespace {
-
-/// Each variable once: points that are linked have some in common.
-Affine gathered(const Affine& a) {
-  Affine out(a.constant);
-  for (const Affine::Term& term : a.terms) {
-    const auto same = std::find_if(out.terms.begin(), out.terms.end(), [&](const auto& t) {
-      return t.of.evaluation == term.of.evaluation && t.of.index == term.of.index;
-    });
-    if (same == out.terms.end())
-      out.terms.push_back(term);
-    else
-      same->coefficient += term.coefficient;
-  }
-  return out;
-}
-
-}  // namespace
-
 Affine ControlPoints::operator()(int j, const BasisAt& at, int k) const {
   Affine sum;
   for (Eigen::Index i = 0; i < at.values.cols(); ++i)
     if (at.values(k, i) != 0)
       sum += at.values(k, i) *
              points[static_cast<std::size_t>(j)][static_cast<std::size_t>(at.first + i)];
-  return gathered(sum);
+  return sum;
 }
 
 std::vector<Affine> ControlPoints::all(const BasisAt& at, int k) const {

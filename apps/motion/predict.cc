@@ -32,14 +32,12 @@ Objective smooth_only(const Objective& o) {
   return out;
 }
 
-bool asks_for_more(const Objective& o) {
+bool asks_for_more(const Task& task) {
+  const Objective& o = task.objective;
   return o.displacement > 0 || o.torque > 0 || o.normalised > 0 || o.maximum > 0;
 }
 
-template <class Of>
-bool any(const std::vector<Task>& tasks, const Of& of) {
-  return std::any_of(tasks.begin(), tasks.end(), of);
-}
+bool smooth_first(const Task& task) { return task.search.smooth_first; }
 
 }  // namespace
 
@@ -106,8 +104,11 @@ std::vector<Motion> solve_problem(const Model& model, const std::vector<Part>& p
   const Solution s = solve(*built.nlp, x, solver);
   note_solution(built, s, stage);
   // Rounding may forbid more than the task asks for.
-  if (s.kkt_error <= search.kkt && s.violation <= solver.row_tolerance)
+  if (s.status != Status::kOptimal && s.kkt_error <= search.kkt &&
+      s.violation <= solver.row_tolerance) {
     stage.status = Status::kOptimal;
+    stage.reason = "optimal to what the task asks for";
+  }
   stage.seconds = seconds_since(begin);
   return motions_of(built, s.x);
 }
@@ -168,10 +169,10 @@ class Predictor {
 
   void solve_all() {
     const std::vector<Motion> guess = motions_;
-    const bool more = any(tasks_, [](const Task&t) { return asks_for_more(t.objective); }),
-               smooth_first = any(tasks_, [](const Task&t) { return t.search.smooth_first; });
-    if (!more || !smooth_first) solve_stage("objective", tasks_);
-    if (more && !stopped_ && (smooth_first || !good())) {
+    const bool more = std::any_of(tasks_.begin(), tasks_.end(), asks_for_more),
+               detour = std::any_of(tasks_.begin(), tasks_.end(), smooth_first);
+    if (!more || !detour) solve_stage("objective", tasks_);
+    if (more && !stopped_ && (detour || !good())) {
       std::vector<Task> smooth = tasks_;
       for (Task& task : smooth) task.objective = smooth_only(task.objective);
       motions_ = guess;

@@ -112,15 +112,7 @@ TEST(MotionLimits, OwnAxesHaveExactDerivatives) {
   const motion::Ends ends = motion::predict_ends(t, model, start, end);
   const motion::Motion guess = motion::first_guess(t, ends);
   motion::Built built = motion::build(model, {{&t, &ends, &guess}});
-  std::mt19937_64 random(3);
-  VectorXd x = vector_of(motion::variables_of(built, {guess}));
-  x += 0.1 * random_vector(x.size(), random);
-  const VectorXd lambda =
-      random_vector(static_cast<Eigen::Index>(built.nlp->rows().size()), random);
-  const DerivativeErrors e = derivative_errors(*built.nlp, x, lambda, 0.7, 1e-3);
-  EXPECT_LT(e.gradient, 1e-9);
-  EXPECT_LT(e.jacobian, 1e-9);
-  EXPECT_LT(e.hessian, 1e-8);
+  expect_exact_near(*built.nlp, vector_of(motion::variables_of(built, {guess})), 0.1);
 }
 
 }  // namespace

@@ -133,7 +133,7 @@ TEST(MotionProgram, AResultWithOtherContactsIsNoStart) {
 TEST(MotionProgram, InterruptedItWritesTheBestSoFar) {
   const TempDir folder;
   const std::string out = folder.path();
-  Running run({MOTION_PROGRAM, kTasks + "santos_squat.toml", "-o", out});
+  Running run({MOTION_PROGRAM, kTasks + "santos_lean_squat.toml", "-o", out});
   std::this_thread::sleep_for(std::chrono::milliseconds(1200));
   run.signal(SIGINT);
   const Outcome outcome = run.wait();

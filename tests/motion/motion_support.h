@@ -5,6 +5,7 @@
 
 #include "frontend/read_model.h"
 #include "reference/reference.h"
+#include "unit/nlp_support.h"
 
 namespace arboc::test {
 
@@ -32,6 +33,18 @@ inline void expect_same_reactions(const motion::Task& t, const motion::Result& b
   EXPECT_LE(given.stages[0].kkt_error, 1e-9);
   EXPECT_EQ((given.motion->q.points() - both.motion->q.points()).cwiseAbs().maxCoeff(), 0);
   EXPECT_LT((given.samples.reactions - both.samples.reactions).cwiseAbs().maxCoeff(), 1e-4);
+}
+
+/// First and second derivatives of a problem at random numbers within `spread` of x; these.
+inline VectorXd expect_exact_near(nlp::Nlp& nlp, VectorXd x, double spread) {
+  std::mt19937_64 random(1);
+  x += spread * random_vector(x.size(), random);
+  const VectorXd lambda = random_vector(static_cast<Eigen::Index>(nlp.rows().size()), random);
+  const DerivativeErrors e = derivative_errors(nlp, x, lambda, 0.7, 1e-3);
+  EXPECT_LT(e.gradient, 1e-9);
+  EXPECT_LT(e.jacobian, 1e-9);
+  EXPECT_LT(e.hessian, 1e-8);
+  return x;
 }
 
 inline void expect_moves(const motion::Task& t, const motion::Result& r) {
