@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "task_file.h"
+
 namespace study {
 
 struct WriteError : std::runtime_error {
@@ -22,5 +24,16 @@ void write_files(const std::string& folder, const Files& files);
 /// (TaskError, std::invalid_argument), 3 output (WriteError), 5 there is no such posture or motion
 /// (std::domain_error), 4 all else.
 int exit_status(const std::function<int()>& program);
+
+/// f(), of a task file: what a task asks for that is not there or cannot be (std::invalid_argument)
+/// is said of the file, as a TaskError.
+template <class F>
+decltype(auto) of_task(const std::string& path, const F& f) {
+  try {
+    return f();
+  } catch (const std::invalid_argument& e) {
+    throw TaskError(path + ": error: " + e.what());
+  }
+}
 
 }  // namespace study

@@ -119,6 +119,11 @@ Eigen::Vector3d vector_of(const toml::node& node, const std::string& what) {
 
 void Table::fail(const std::string& message) const { study::fail(table_, what_ + ": " + message); }
 
+void Table::fail_at(const char* key, const std::string& message) const {
+  if (const toml::node* at = table_.get(key)) study::fail(*at, what_ + ": " + message);
+  fail(message);
+}
+
 const toml::node* Table::find(const char* key) {
   known_.insert(key);
   return table_.get(key);
@@ -149,7 +154,8 @@ int Table::whole(const char* key, int otherwise, int least) {
 }
 double Table::rate(double otherwise) {
   const double rate = number("rate", otherwise);
-  if (!(rate > 0 && rate <= kMostFrames)) fail("rate is not between 0 and 10000 frames a second");
+  if (!(rate > 0 && rate <= kMostFrames))
+    fail_at("rate", "rate is not between 0 and 10000 frames a second");
   return rate;
 }
 bool Table::flag(const char* key, bool otherwise) {

@@ -56,6 +56,8 @@ class Table {
   /// Keys that nothing asked for are mistakes.
   void finish() const;
   [[noreturn]] void fail(const std::string& message) const;
+  /// At the value of a key, if it is there: tables may be merged from several files.
+  [[noreturn]] void fail_at(const char* key, const std::string& message) const;
 
  private:
   const toml::table& table_;

@@ -89,12 +89,14 @@ int run(int argc, char** argv) {
   }
   const Plan plan = read_plan(path);
   const Task task = whole(plan);
-  const Model& of = posture::model(task.model);
+  const Model& of =
+      study::of_task(path, [&]() -> const Model& { return posture::model(task.model); });
   std::signal(SIGINT, interrupt);
   std::vector<Motion> starts;
   if (!from.empty()) starts = read_motions(from, of, plan);
   options.go_on = [quiet](const Iteration& i) { return quiet ? !interrupted : show(i); };
-  const Course course = predict_phases(plan, of, options, starts);
+  const Course course =
+      study::of_task(path, [&] { return predict_phases(plan, of, options, starts); });
   const Result result = whole(plan, course);
   const study::Animation moving = animation(task, of, result);
   study::Files files = {{"result.json", json_text(plan, of, course)},

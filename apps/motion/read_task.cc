@@ -40,7 +40,7 @@ posture::Objective posture_objective(const Objective& o) {
 
 Via read_via(Table table, double duration) {
   const double time = table.number("time", duration / 2);
-  if (!(time > 0 && time < duration)) table.fail("time is not between the ends");
+  if (!(time > 0 && time < duration)) table.fail_at("time", "time is not between the ends");
   return {posture::read_target(table), time};
 }
 
@@ -67,7 +67,7 @@ Objective read_objective(Table table) {
       {"reaction_smoothness", &o.reaction_smoothness}};
   for (const auto& [key, value] : weights) {
     *value = table.number(key, *value);
-    if (!(*value >= 0)) table.fail(std::string(key) + " is not a weight");
+    if (!(*value >= 0)) table.fail_at(key, std::string(key) + " is not a weight");
   }
   table.finish();
   return o;
@@ -75,7 +75,7 @@ Objective read_objective(Table table) {
 
 double positive(Table& table, const char* key, double otherwise) {
   const double x = table.number(key, otherwise);
-  if (!(x > 0)) table.fail(std::string(key) + " is not above 0");
+  if (!(x > 0)) table.fail_at(key, std::string(key) + " is not above 0");
   return x;
 }
 

@@ -72,10 +72,10 @@ int run(int argc, char** argv) {
   if (starts > 0) task.search.starts = starts;
   if (seed >= 0) task.search.seed = static_cast<unsigned>(seed);
   task.search.random = task.search.random || random;
-  const Model& of = model(task.model);
+  const Model& of = study::of_task(path, [&]() -> const Model& { return model(task.model); });
   std::optional<Vector3> by;
   if (!move.empty()) by = Vector3(move[0], move[1], move[2]);
-  const Result result = predict(task, of, by);
+  const Result result = study::of_task(path, [&] { return predict(task, of, by); });
   write_all(folder, task, of, result);
   print(task, result);
   return result.status == arboc::nlp::Status::kOptimal ? 0 : 5;
